@@ -1,0 +1,3 @@
+//! A certified reference for planar linkage kinematics.
+
+pub mod number;

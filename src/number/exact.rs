@@ -1,0 +1,106 @@
+//! Exact rational numbers.
+
+use std::cmp::Ordering;
+use std::fmt;
+
+use rug::Rational;
+
+use super::{Kind, Real, Truth, degrees};
+
+/// A rational number of any size: for decisions and for random exact instances.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Exact(Option<Rational>);
+
+impl Exact {
+    /// The rational number, `None` after an undefined operation.
+    pub fn rational(&self) -> Option<&Rational> {
+        self.0.as_ref()
+    }
+
+    fn combine(&mut self, other: &Self, operate: impl FnOnce(&mut Rational, &Rational)) {
+        match (&mut self.0, &other.0) {
+            (Some(a), Some(b)) => operate(a, b),
+            _ => self.0 = None,
+        }
+    }
+}
+
+impl Kind for Exact {
+    fn constant(q: Rational) -> Self {
+        Exact(Some(q))
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.combine(other, |a, b| *a += b);
+    }
+
+    fn sub(&mut self, other: &Self) {
+        self.combine(other, |a, b| *a -= b);
+    }
+
+    fn mul(&mut self, other: &Self) {
+        self.combine(other, |a, b| *a *= b);
+    }
+
+    fn div(&mut self, other: &Self) {
+        if other.is_zero().is_yes() {
+            self.0 = None;
+        } else {
+            self.combine(other, |a, b| *a /= b);
+        }
+    }
+
+    fn negate(&mut self) {
+        if let Some(q) = &mut self.0 {
+            *q = Rational::from(-&*q);
+        }
+    }
+
+    fn is_zero(&self) -> Truth {
+        Truth::of_sign(self.sign(), Ordering::is_eq)
+    }
+
+    fn has_value(&self) -> bool {
+        self.0.is_some()
+    }
+}
+
+impl Real for Exact {
+    type Precision = ();
+
+    fn rounded(q: &Rational, (): &()) -> Self {
+        Exact(Some(q.clone()))
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        self.0.as_ref().map(Rational::cmp0)
+    }
+
+    /// No value where the root is irrational.
+    fn sqrt(&mut self) {
+        self.0 = self.0.take().and_then(rational_sqrt);
+    }
+
+    /// Multiples of 90° only.
+    fn cos_sin_of_degrees(q: &Rational, (): &()) -> Option<(Self, Self)> {
+        let quarter = degrees::quarter_turns(q)?;
+        let (cos, sin) = degrees::cos_sin_of_quarter_turns(quarter);
+        Some((Self::integer(cos), Self::integer(sin)))
+    }
+}
+
+/// √q where it is rational.
+pub fn rational_sqrt(q: Rational) -> Option<Rational> {
+    let (numerator, denominator) = q.into_numer_denom();
+    (numerator.is_perfect_square() && denominator.is_perfect_square())
+        .then(|| Rational::from((numerator.sqrt(), denominator.sqrt())))
+}
+
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.0 {
+            Some(q) => q.fmt(f),
+            None => f.write_str("no value"),
+        }
+    }
+}

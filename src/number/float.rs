@@ -1,0 +1,107 @@
+//! `f64` as a number kind: for speed. Its predicates speak of the stored number, not of the true
+//! result that it approximates.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+
+use super::{Elementary, Kind, Real, Truth};
+
+impl Kind for f64 {
+    fn constant(q: Rational) -> Self {
+        q.to_f64()
+    }
+
+    #[inline]
+    fn integer(i: i64) -> Self {
+        i as f64
+    }
+
+    #[inline]
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+
+    #[inline]
+    fn sub(&mut self, other: &Self) {
+        *self -= other;
+    }
+
+    #[inline]
+    fn mul(&mut self, other: &Self) {
+        *self *= other;
+    }
+
+    #[inline]
+    fn div(&mut self, other: &Self) {
+        *self /= other;
+    }
+
+    #[inline]
+    fn negate(&mut self) {
+        *self = -*self;
+    }
+
+    fn is_zero(&self) -> Truth {
+        Truth::of_sign(self.sign(), Ordering::is_eq)
+    }
+
+    fn has_value(&self) -> bool {
+        self.is_finite()
+    }
+}
+
+impl Real for f64 {
+    type Precision = ();
+
+    fn rounded(q: &Rational, (): &()) -> Self {
+        q.to_f64()
+    }
+
+    fn sign(&self) -> Option<Ordering> {
+        self.partial_cmp(&0.0).filter(|_| self.is_finite())
+    }
+
+    fn sqrt(&mut self) {
+        *self = f64::sqrt(*self);
+    }
+
+    fn cos_sin_of_degrees(q: &Rational, (): &()) -> Option<(Self, Self)> {
+        let (sin, cos) = q.to_f64().to_radians().sin_cos();
+        Some((cos, sin))
+    }
+}
+
+impl Elementary for f64 {
+    fn pi((): &()) -> Self {
+        std::f64::consts::PI
+    }
+
+    fn sin(&mut self) {
+        *self = f64::sin(*self);
+    }
+
+    fn cos(&mut self) {
+        *self = f64::cos(*self);
+    }
+
+    fn tan(&mut self) {
+        *self = f64::tan(*self);
+    }
+
+    fn asin(&mut self) {
+        *self = f64::asin(*self);
+    }
+
+    fn acos(&mut self) {
+        *self = f64::acos(*self);
+    }
+
+    fn atan(&mut self) {
+        *self = f64::atan(*self);
+    }
+
+    fn atan2(&mut self, x: &Self) {
+        *self = f64::atan2(*self, *x);
+    }
+}
