@@ -66,6 +66,9 @@ impl<K: Kind> From<Number<K>> for Number<Complex<K>> {
 }
 
 impl<K: Kind> Kind for Complex<K> {
+    const GENERIC: bool = K::GENERIC;
+    const ROUNDS: bool = K::ROUNDS;
+
     fn constant(q: Rational) -> Self {
         Complex {
             re: q.into(),
@@ -114,6 +117,10 @@ impl<K: Kind> Kind for Complex<K> {
 
     fn has_value(&self) -> bool {
         self.re.has_value() && self.im.has_value()
+    }
+
+    fn is_excessive(&self) -> bool {
+        self.re.is_excessive() || self.im.is_excessive()
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 
 use rug::Rational;
 
+use super::kind::EXCESSIVE_BITS;
 use super::{Kind, Real, Truth, degrees};
 
 /// A rational number of any size: for decisions and for random exact instances.
@@ -63,6 +64,17 @@ impl Kind for Exact {
     fn has_value(&self) -> bool {
         self.0.is_some()
     }
+
+    fn is_excessive(&self) -> bool {
+        self.0.as_ref().is_some_and(|q| bits(q) > EXCESSIVE_BITS)
+    }
+}
+
+/// Bits of numerator and denominator together.
+pub(in crate::number) fn bits(q: &Rational) -> u32 {
+    q.numer()
+        .significant_bits()
+        .saturating_add(q.denom().significant_bits())
 }
 
 impl Real for Exact {

@@ -5,9 +5,11 @@ use std::cmp::Ordering;
 
 use rug::Rational;
 
-use super::{Elementary, Kind, Real, Truth};
+use super::{Elementary, Kind, Real, Truth, degrees};
 
 impl Kind for f64 {
+    const ROUNDS: bool = true;
+
     fn constant(q: Rational) -> Self {
         q.to_f64()
     }
@@ -66,7 +68,12 @@ impl Real for f64 {
         *self = f64::sqrt(*self);
     }
 
+    /// Exact for multiples of 90°.
     fn cos_sin_of_degrees(q: &Rational, (): &()) -> Option<(Self, Self)> {
+        if let Some(quarter) = degrees::quarter_turns(q) {
+            let (cos, sin) = degrees::cos_sin_of_quarter_turns(quarter);
+            return Some((cos as f64, sin as f64));
+        }
         let (sin, cos) = q.to_f64().to_radians().sin_cos();
         Some((cos, sin))
     }

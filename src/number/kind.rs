@@ -10,6 +10,12 @@ use rug::Rational;
 
 use super::Truth;
 
+/// Numbers of more bits are excessive.
+pub const EXCESSIVE_BITS: u32 = 1 << 16;
+
+/// Polynomials of more terms are excessive.
+pub const EXCESSIVE_TERMS: usize = 1 << 13;
+
 /// An arithmetic: a commutative ring in which one can also divide.
 ///
 /// Every operation is total. A quotient by zero, and whatever is computed from it, *has no value*;
@@ -17,6 +23,15 @@ use super::Truth;
 /// such a case (an enclosure that holds zero as divisor) is no such thing: it has a value, of which
 /// nothing is known.
 pub trait Kind: Clone + Debug {
+    /// Whether a number stands for many, one for each choice of its symbols. A predicate that
+    /// answers yes is then true for all of them, but one that answers no says only that it is not
+    /// true for all.
+    const GENERIC: bool = false;
+
+    /// Whether results are rounded without a bound on the error, so that a predicate speaks of the
+    /// stored number and not of the true one.
+    const ROUNDS: bool = false;
+
     /// The rational number `q` itself. A kind of limited precision rounds it only when it meets a
     /// number that has a precision.
     fn constant(q: Rational) -> Self;
@@ -42,6 +57,13 @@ pub trait Kind: Clone + Debug {
 
     /// `false` for the result of an operation that is not defined.
     fn has_value(&self) -> bool;
+
+    /// Whether the number is so large (more than [`EXCESSIVE_BITS`] or [`EXCESSIVE_TERMS`]) that a
+    /// few more products of its like would exhaust time or memory; never in a kind of limited
+    /// precision.
+    fn is_excessive(&self) -> bool {
+        false
+    }
 }
 
 /// A kind whose numbers are real: they have a sign and, where not negative, a square root.

@@ -3,16 +3,25 @@
 //! A theory function is written once, for [`Number<K>`](Number) with any [`Kind`], and then runs in
 //! `f64`, in [`Exact`] rationals, in complex numbers over either, and so on.
 
+mod ball;
 pub mod complex;
 pub mod degrees;
 pub mod exact;
 mod float;
 mod kind;
+pub mod poly;
+pub mod surd;
+pub mod text;
 mod truth;
+pub mod univariate;
 mod wrapper;
 
+pub use ball::{Ball, BallText};
 pub use complex::Complex;
 pub use exact::Exact;
-pub use kind::{Elementary, Kind, Real};
+pub use kind::{EXCESSIVE_BITS, EXCESSIVE_TERMS, Elementary, Kind, Real};
+pub use poly::{Fraction, Poly, Ring, Variable};
+pub use surd::Surd;
 pub use truth::Truth;
+pub use univariate::{Polynomial, Quadratic, QuadraticRoots};
 pub use wrapper::Number;

@@ -59,12 +59,18 @@ impl<K: Kind> Number<K> {
         self * self
     }
 
+    /// Whether the number is so large that a few more products would exhaust time or memory.
+    pub fn is_excessive(&self) -> bool {
+        self.0.is_excessive()
+    }
+
     /// 1/x; no value for zero.
     pub fn inverse(&self) -> Self {
         1 / self
     }
 
-    /// xⁿ by repeated squaring; 1 for n = 0, no value for 0 with a negative n.
+    /// xⁿ by repeated squaring; 1 for n = 0, no value for 0 with a negative n and where the squares on
+    /// the way become [excessive](Kind::is_excessive).
     pub fn power(&self, n: i32) -> Self {
         let mut base = if n < 0 { self.inverse() } else { self.clone() };
         let mut result = Self::one();
@@ -75,6 +81,9 @@ impl<K: Kind> Number<K> {
             }
             left >>= 1;
             if left > 0 {
+                if base.is_excessive() {
+                    return Self::one() / Self::zero();
+                }
                 base = base.square();
             }
         }

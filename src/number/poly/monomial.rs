@@ -1,0 +1,169 @@
+//! Power products, packed: one byte for each variable.
+
+/// How many variables a ring can have.
+pub(super) const MAX_VARIABLES: usize = 32;
+
+/// The largest exponent. The eighth bit of a byte stays free: it shows overflow and borrow.
+const MAX_EXPONENT: u8 = 127;
+
+const WORDS: usize = MAX_VARIABLES / 8;
+const GUARDS: u64 = 0x8080_8080_8080_8080;
+
+/// A power product of up to 32 variables with exponents up to 127.
+///
+/// The order is lexicographic with later variables first, so that it is compatible with products
+/// and does not change when a ring is extended.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(super) struct Monomial([u64; WORDS]);
+
+/// Where the byte of a variable lies; the last variables fill the first word.
+fn place(variable: usize) -> (usize, usize) {
+    (WORDS - 1 - variable / 8, 8 * (variable % 8))
+}
+
+impl Monomial {
+    pub const ONE: Self = Monomial([0; WORDS]);
+
+    /// `variable^exponent`; `None` for an exponent that cannot be stored.
+    pub fn power(variable: usize, exponent: u8) -> Option<Self> {
+        if variable >= MAX_VARIABLES || exponent > MAX_EXPONENT {
+            return None;
+        }
+        let mut words = [0; WORDS];
+        let (word, shift) = place(variable);
+        words[word] = u64::from(exponent) << shift;
+        Some(Monomial(words))
+    }
+
+    /// The exponent of a variable; 0 for one that no ring can have.
+    pub fn exponent(&self, variable: usize) -> u8 {
+        if variable >= MAX_VARIABLES {
+            return 0;
+        }
+        let (word, shift) = place(variable);
+        (self.0[word] >> shift) as u8
+    }
+
+    /// This with every power of a variable taken out.
+    pub fn without(&self, variable: usize) -> Self {
+        let mut result = *self;
+        if variable < MAX_VARIABLES {
+            let (word, shift) = place(variable);
+            result.0[word] &= !(0xff << shift);
+        }
+        result
+    }
+
+    fn zip(&self, other: &Self, combine: impl Fn(u64, u64) -> u64) -> Self {
+        Monomial(std::array::from_fn(|i| combine(self.0[i], other.0[i])))
+    }
+
+    /// The product; `None` where an exponent overflows.
+    pub fn times(&self, other: &Self) -> Option<Self> {
+        let product = self.times_unchecked(other);
+        product
+            .0
+            .iter()
+            .all(|word| word & GUARDS == 0)
+            .then_some(product)
+    }
+
+    /// The product of two monomials of which it is known that no exponent overflows.
+    #[inline]
+    pub fn times_unchecked(&self, other: &Self) -> Self {
+        self.zip(other, u64::wrapping_add)
+    }
+
+    /// The quotient where it is a monomial.
+    #[inline]
+    pub fn divided_by(&self, other: &Self) -> Option<Self> {
+        let difference = self.zip(other, |a, b| (a | GUARDS).wrapping_sub(b));
+        (difference.0.iter().all(|word| word & GUARDS == GUARDS))
+            .then(|| Monomial(difference.0.map(|word| word & !GUARDS)))
+    }
+
+    fn bytewise(&self, other: &Self, choose: impl Fn(u8, u8) -> u8) -> Self {
+        self.zip(other, |a, b| {
+            let (a, b) = (a.to_le_bytes(), b.to_le_bytes());
+            u64::from_le_bytes(std::array::from_fn(|i| choose(a[i], b[i])))
+        })
+    }
+
+    /// The least common multiple.
+    pub fn lcm(&self, other: &Self) -> Self {
+        self.bytewise(other, u8::max)
+    }
+
+    /// The greatest common divisor.
+    pub fn gcd(&self, other: &Self) -> Self {
+        self.bytewise(other, u8::min)
+    }
+
+    /// The monomial whose square this is.
+    pub fn sqrt(&self) -> Option<Self> {
+        const LOWEST: u64 = GUARDS >> 7;
+        (self.0.iter().all(|word| word & LOWEST == 0))
+            .then(|| Monomial(self.0.map(|word| word >> 1)))
+    }
+
+    /// The variables with an exponent above 0, in rising order, with that exponent.
+    pub fn powers(self) -> impl Iterator<Item = (usize, u8)> {
+        (0..MAX_VARIABLES)
+            .map(move |variable| (variable, self.exponent(variable)))
+            .filter(|&(_, exponent)| exponent > 0)
+    }
+
+    /// Bits that are set where the given variables have an exponent above 1.
+    pub fn mask_above_one(variables: impl Iterator<Item = usize>) -> Self {
+        Self::mask(variables, MAX_EXPONENT - 1)
+    }
+
+    /// Bits that are set where the given variables have an exponent above 0.
+    pub fn mask_above_zero(variables: impl Iterator<Item = usize>) -> Self {
+        Self::mask(variables, MAX_EXPONENT)
+    }
+
+    fn mask(variables: impl Iterator<Item = usize>, bits: u8) -> Self {
+        variables
+            .filter_map(|variable| Self::power(variable, bits))
+            .fold(Self::ONE, |mask, one| mask.zip(&one, |a, b| a | b))
+    }
+
+    /// Whether any bit of a mask is set.
+    #[inline]
+    pub fn meets(&self, mask: &Self) -> bool {
+        self.0
+            .iter()
+            .zip(&mask.0)
+            .any(|(word, mask)| word & mask != 0)
+    }
+
+    /// All bits mixed into one word, for hashing.
+    pub fn mixed(&self) -> u64 {
+        self.0.iter().fold(0, |hash: u64, word| {
+            (hash.rotate_left(26) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exponents_overflow_into_no_value() {
+        let big = Monomial::power(7, 100).unwrap();
+        assert_eq!(big.times(&big), None);
+        assert_eq!(Monomial::power(7, 128), None);
+        assert_eq!(Monomial::power(32, 1), None);
+    }
+
+    #[test]
+    fn later_variables_are_larger() {
+        let [x, y, z] = [0, 7, 8].map(|i| Monomial::power(i, 1).unwrap());
+        assert!(x < y && y < z);
+        assert!(x.times(&y).unwrap() < z);
+        assert_eq!(z.times(&y).unwrap().divided_by(&y), Some(z));
+        assert_eq!(z.divided_by(&y), None);
+    }
+}

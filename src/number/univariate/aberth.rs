@@ -1,0 +1,214 @@
+//! Approximate roots by the method of Ehrlich and Aberth. Nothing here is certified: what it finds
+//! is a proposal that discs then prove.
+
+use rug::Float;
+use rug::ops::NegAssign;
+
+use super::integer::IntegerPolynomial;
+
+/// Rounds of one precision beside those that clusters need.
+const ROUNDS: u32 = 60;
+
+/// A complex number.
+#[derive(Clone, Debug)]
+pub(super) struct Point {
+    pub re: Float,
+    pub im: Float,
+}
+
+impl Point {
+    fn zero(bits: u32) -> Point {
+        Point {
+            re: Float::new(bits),
+            im: Float::new(bits),
+        }
+    }
+
+    fn add(&mut self, other: &Point) {
+        self.re += &other.re;
+        self.im += &other.im;
+    }
+
+    fn minus(&self, other: &Point, bits: u32) -> Point {
+        Point {
+            re: Float::with_val(bits, &self.re - &other.re),
+            im: Float::with_val(bits, &self.im - &other.im),
+        }
+    }
+
+    fn times(&self, other: &Point, bits: u32) -> Point {
+        Point {
+            re: Float::with_val(bits, &self.re * &other.re - &self.im * &other.im),
+            im: Float::with_val(bits, &self.re * &other.im + &self.im * &other.re),
+        }
+    }
+
+    fn norm(&self, bits: u32) -> Float {
+        Float::with_val(bits, &self.re * &self.re + &self.im * &self.im)
+    }
+
+    fn inverse(mut self, bits: u32) -> Point {
+        let norm = self.norm(bits);
+        self.re /= &norm;
+        self.im /= norm;
+        self.im.neg_assign();
+        self
+    }
+
+    fn is_finite(&self) -> bool {
+        self.re.is_finite() && self.im.is_finite()
+    }
+
+    /// An upper bound of |z|, at most √2 too large.
+    fn size(&self) -> Float {
+        Float::with_val(32, self.re.abs_ref()) + Float::with_val(32, self.im.abs_ref())
+    }
+}
+
+/// Approximations of all roots, improved in place.
+pub(super) struct Approximations {
+    pub points: Vec<Point>,
+    /// Whether a point is as good as the precision allows.
+    settled: Vec<bool>,
+}
+
+impl Approximations {
+    /// Points on circles that the Newton polygon of the coefficients suggests (D. A. Bini 1996).
+    pub fn start(p: &IntegerPolynomial, bits: u32) -> Self {
+        let mut points = Vec::with_capacity(p.degree());
+        let corners = newton_polygon(p);
+        // The polygon starts at the first coefficient that is not zero: below it are roots 0.
+        let zeros = corners.first().map_or(0, |(power, _)| *power);
+        points.resize_with(zeros, || Point::zero(bits));
+        for (ring, sides) in corners.windows(2).enumerate() {
+            let [(first, high), (last, low)] = [sides[0], sides[1]];
+            let count = last - first;
+            let log_radius = (high - low) / count as f64;
+            let radius = Float::with_val(bits, log_radius).exp2();
+            for j in 0..count {
+                let angle =
+                    std::f64::consts::TAU * (j as f64 / count as f64) + 0.7 + 0.31 * ring as f64;
+                points.push(Point {
+                    re: Float::with_val(bits, &radius * angle.cos()),
+                    im: Float::with_val(bits, &radius * angle.sin()),
+                });
+            }
+        }
+        let settled = vec![false; points.len()];
+        Approximations { points, settled }
+    }
+
+    /// Iterates with so many bits until no point gets better.
+    pub fn improve(&mut self, p: &IntegerPolynomial, bits: u32) {
+        let coefficients: Vec<Float> = p
+            .coefficients()
+            .iter()
+            .map(|c| Float::with_val(bits, c))
+            .collect();
+        for point in &mut self.points {
+            point.re.set_prec(bits);
+            point.im.set_prec(bits);
+        }
+        self.settled.fill(false);
+        // Far from m close roots the distance shrinks by (m − 1)/(m + 1) a round, and rounding
+        // hides the roots from 2^(−bits/m) on: about 0.35 bits rounds.
+        for _ in 0..ROUNDS + bits / 2 {
+            for index in 0..self.points.len() {
+                if !self.settled[index] {
+                    self.settled[index] = self.step(&coefficients, index, bits);
+                }
+            }
+            if self.settled.iter().all(|&settled| settled) {
+                return;
+            }
+        }
+    }
+
+    /// One correction of one point; whether it is the last one.
+    fn step(&mut self, coefficients: &[Float], index: usize, bits: u32) -> bool {
+        let z = &self.points[index];
+        let values = evaluate(coefficients, z, bits);
+        if values.is_noise(coefficients.len(), bits) {
+            return true;
+        }
+        // 1/(p′/p − Σ 1/(z − zⱼ)).
+        let mut sum = values.slope.times(&values.value.inverse(bits), bits);
+        for (other, at) in self.points.iter().enumerate() {
+            if other != index {
+                let repulsion = z.minus(at, bits).inverse(bits);
+                if repulsion.is_finite() {
+                    sum = sum.minus(&repulsion, bits);
+                }
+            }
+        }
+        let correction = sum.inverse(bits);
+        if !correction.is_finite() {
+            return false;
+        }
+        let small = correction.size() <= z.size() >> (bits - 4);
+        self.points[index] = z.minus(&correction, bits);
+        small
+    }
+}
+
+/// Value and derivative at a point, and a bound of the terms' sizes.
+struct Values {
+    value: Point,
+    slope: Point,
+    terms: Float,
+}
+
+impl Values {
+    /// Whether the value may be nothing but rounding errors.
+    fn is_noise(&self, length: usize, bits: u32) -> bool {
+        let errors = Float::with_val(32, &self.terms * (4 * length) as u64) >> bits;
+        self.value.size() <= errors
+    }
+}
+
+fn evaluate(coefficients: &[Float], z: &Point, bits: u32) -> Values {
+    let size = z.size();
+    let mut value = Point::zero(bits);
+    let mut slope = Point::zero(bits);
+    let mut terms = Float::new(32);
+    for c in coefficients.iter().rev() {
+        slope = slope.times(z, bits);
+        slope.add(&value);
+        value = value.times(z, bits);
+        value.re += c;
+        terms *= &size;
+        terms += Float::with_val(32, c.abs_ref());
+    }
+    Values {
+        value,
+        slope,
+        terms,
+    }
+}
+
+/// The corners of the upper hull of the points (power, log₂ |coefficient|).
+fn newton_polygon(p: &IntegerPolynomial) -> Vec<(usize, f64)> {
+    let mut hull: Vec<(usize, f64)> = Vec::new();
+    for (power, c) in p.coefficients().iter().enumerate() {
+        if c.is_zero() {
+            continue;
+        }
+        let next = (power, log2(c));
+        while let [.., a, b] = hull.as_slice() {
+            let slope =
+                |from: &(usize, f64), to: &(usize, f64)| (to.1 - from.1) / (to.0 - from.0) as f64;
+            if slope(a, b) > slope(a, &next) {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(next);
+    }
+    hull
+}
+
+fn log2(c: &rug::Integer) -> f64 {
+    let exponent = c.significant_bits();
+    let mantissa = Float::with_val(53, c) >> exponent;
+    mantissa.to_f64().abs().log2() + f64::from(exponent)
+}

@@ -1,0 +1,61 @@
+//! Polynomials modulo a prime: a quick proof that two have no common factor.
+
+use super::integer::IntegerPolynomial;
+
+/// The largest prime below 2³².
+const PRIME: u64 = 4_294_967_291;
+
+/// `true` only if the two, neither of them zero, have no common factor of positive degree.
+///
+/// Where the prime divides no leading coefficient, a common factor stays one modulo the prime.
+pub(super) fn surely_coprime(a: &IntegerPolynomial, b: &IntegerPolynomial) -> bool {
+    let (mut a, mut b) = (reduced(a), reduced(b));
+    if a.last() == Some(&0) || b.last() == Some(&0) {
+        return false;
+    }
+    while b.len() > 1 {
+        let remainder = remainder(a, &b);
+        a = b;
+        b = remainder;
+    }
+    b.len() == 1
+}
+
+fn reduced(p: &IntegerPolynomial) -> Vec<u64> {
+    p.coefficients()
+        .iter()
+        .map(|c| u64::from(c.mod_u(PRIME as u32)))
+        .collect()
+}
+
+/// The remainder without leading zeros; the divisor's leading coefficient is not zero.
+fn remainder(mut rest: Vec<u64>, divisor: &[u64]) -> Vec<u64> {
+    let Some((&leading, lower)) = divisor.split_last() else {
+        return rest;
+    };
+    let inverse = power(leading, PRIME - 2);
+    while rest.len() > lower.len() {
+        let Some(highest) = rest.pop() else { break };
+        let factor = PRIME - highest * inverse % PRIME;
+        let start = rest.len() - lower.len();
+        for (place, c) in rest[start..].iter_mut().zip(lower) {
+            *place = (*place + factor * c % PRIME) % PRIME;
+        }
+    }
+    while rest.last() == Some(&0) {
+        rest.pop();
+    }
+    rest
+}
+
+fn power(mut base: u64, mut exponent: u64) -> u64 {
+    let mut result = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = result * base % PRIME;
+        }
+        base = base * base % PRIME;
+        exponent >>= 1;
+    }
+    result
+}
