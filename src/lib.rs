@@ -1,3 +1,4 @@
 //! A certified reference for planar linkage kinematics.
 
 pub mod number;
+pub mod plane;
