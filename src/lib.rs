@@ -1,4 +1,5 @@
 //! A certified reference for planar linkage kinematics.
 
+pub mod formula;
 pub mod number;
 pub mod plane;

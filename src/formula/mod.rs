@@ -1,0 +1,32 @@
+#![doc = include_str!("grammar.md")]
+
+mod cis;
+mod compare;
+mod error;
+mod evaluate;
+pub mod function;
+mod greek;
+mod latex;
+mod level;
+mod lexer;
+mod mathml;
+mod mutant;
+mod normal_form;
+mod operate;
+mod reader;
+mod setting;
+mod symbol;
+mod text;
+pub mod tree;
+mod value;
+
+pub use error::ReadError;
+pub use evaluate::{Bindings, Failure, Outcome, evaluate, evaluate_expression};
+pub use function::Function;
+pub use latex::{latex, tree_latex};
+pub use mathml::mathml;
+pub use mutant::{Mutant, mutants};
+pub use normal_form::normal_form;
+pub use reader::{DEPTH_LIMIT, LENGTH_LIMIT, NESTING_LIMIT, read};
+pub use tree::{Formula, Node, Relation, Tree};
+pub use value::Value;
