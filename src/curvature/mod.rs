@@ -1,0 +1,3 @@
+//! Infinitesimally separated positions.
+
+pub mod slider_crank;

@@ -1,0 +1,267 @@
+//! The Burmester points of a slider-crank in one position.
+//!
+//! # From the motion to the points
+//!
+//! Let the coupler turn by θ: a point z of it goes to a(θ) + e^{iθ} z. With the pole in the origin,
+//! the pole tangent as x-axis and the diameter of the inflection circle as unit,
+//! a = iθ²/2 + (a₃ + i b₃)θ³/6 + (a₄ + i b₄)θ⁴/24 + …. A point z = r e^{iα} has its center of
+//! curvature Z = R e^{iα} on the same ray. That |a + e^{iθ}z − Z|² has no term in θ², θ³, θ⁴ says,
+//! with ρ = 1/r, σ = 1/R, c = cos α, s = sin α and L = a₃c + b₃s,
+//!
+//! - θ²: ρ − σ = 1/s (Euler and Savary);
+//! - θ³: 3 s c σ = L (the cubic of stationary curvature and its centers);
+//! - θ⁴: L(L + 3c)(c² + s²) − 3sc²(a₄c + b₄s) + 4scL(b₃c − a₃s) − 6s²cL − 3s²c² = 0.
+//!
+//! In t = tan α the last has the leading coefficient b₃², the next −b₃(2a₃ + 3) and the absolute
+//! term a₃(a₃ + 3): a₄ and b₄ do not enter. So two known Burmester points give the sum and the product of the
+//! tangents of the other two.
+//!
+//! # The slider-crank
+//!
+//! The crank pin A has σ_a = 1/(k sin α_a), the slider's pin D has σ_d = 0. Hence a₃ = −3 tan α_d / N
+//! and b₃ = 3/N with N = k (tan α_a − tan α_d), and B, C have t² + (tan α_a + 3 tan α_d − N) t +
+//! (tan α_d − N)/tan α_a = 0. Everything below is homogeneous in cosines and sines, so that no
+//! tangent has to be finite.
+
+use std::cmp::Ordering;
+
+use crate::number::{Complex, Kind, Number, Real};
+use crate::plane::Angle;
+
+/// A number that may be infinite: a quotient whose parts are not both zero.
+#[derive(Clone, Debug)]
+pub struct Quotient<K> {
+    /// What is divided.
+    pub numerator: Number<K>,
+    /// By what; zero where the quotient is infinite.
+    pub denominator: Number<K>,
+}
+
+impl<K: Kind> Quotient<K> {
+    fn new(numerator: Number<K>, denominator: Number<K>) -> Self {
+        Quotient {
+            numerator,
+            denominator,
+        }
+    }
+
+    fn zero() -> Self {
+        Quotient::new(Number::zero(), Number::one())
+    }
+
+    /// The number itself; no value where it is infinite.
+    pub fn value(&self) -> Number<K> {
+        &self.numerator / &self.denominator
+    }
+}
+
+/// A Burmester point and its center on one ray through the pole.
+#[derive(Clone, Debug)]
+pub struct Pair<K> {
+    /// The ray, as the angle from the pole tangent, modulo π.
+    pub ray: Angle<K>,
+    /// From the pole to the point, along the ray.
+    pub point: Quotient<K>,
+    /// From the pole to the center, along the ray.
+    pub center: Quotient<K>,
+}
+
+/// The two unknown Burmester points.
+#[derive(Clone, Debug)]
+pub enum Alternates<K> {
+    /// Real, the one with the smaller tangent first.
+    Real(Box<[Pair<K>; 2]>),
+    /// Conjugate complex: the tangents of their rays.
+    Complex([Number<Complex<K>>; 2]),
+    /// Whether they are real cannot be told in this arithmetic.
+    Undecided,
+}
+
+/// A slider-crank in one position, by the rays of its pins and by k = PO_a / sin α_a; the diameter
+/// of the inflection circle is 1 (Tesar 1964, chapter II).
+#[derive(Clone, Debug)]
+pub struct SliderCrank<K> {
+    /// Distance of the crank's pivot from the pole, divided by sin α_a.
+    pub k: Number<K>,
+    /// The ray of the crank pin A.
+    pub alpha_a: Angle<K>,
+    /// The ray of the slider's pin D.
+    pub alpha_d: Angle<K>,
+}
+
+/// Cosines and sines of the two rays, and k sin(α_a − α_d).
+struct Symbols<K> {
+    ca: Number<K>,
+    sa: Number<K>,
+    cd: Number<K>,
+    sd: Number<K>,
+    k_sin: Number<K>,
+}
+
+impl<K: Real> SliderCrank<K> {
+    fn symbols(&self) -> Symbols<K> {
+        let (ca, sa) = (self.alpha_a.cos(), self.alpha_a.sin());
+        let (cd, sd) = (self.alpha_d.cos(), self.alpha_d.sin());
+        let k_sin = &self.k * (&sa * &cd - &sd * &ca);
+        Symbols {
+            ca,
+            sa,
+            cd,
+            sd,
+            k_sin,
+        }
+    }
+
+    /// PD = sin α_d, since D lies on the inflection circle.
+    pub fn pd(&self) -> Number<K> {
+        self.alpha_d.sin()
+    }
+
+    /// PO_a = k sin α_a.
+    pub fn po_a(&self) -> Number<K> {
+        &self.k * self.alpha_a.sin()
+    }
+
+    /// PA, from 1/PA − 1/PO_a = 1/sin α_a; infinite for k = −1.
+    pub fn pa(&self) -> Quotient<K> {
+        Quotient::new(self.po_a(), &self.k + 1)
+    }
+
+    /// N = 3/b₃ = k (tan α_a − tan α_d).
+    pub fn n(&self) -> Quotient<K> {
+        let Symbols { ca, cd, k_sin, .. } = self.symbols();
+        Quotient::new(k_sin, ca * cd)
+    }
+
+    /// M = 3/(a₃ + 3) = N/(N − tan α_d).
+    pub fn m(&self) -> Quotient<K> {
+        let Symbols { ca, sd, k_sin, .. } = self.symbols();
+        let denominator = &k_sin - sd * ca;
+        Quotient::new(k_sin, denominator)
+    }
+
+    /// Radius of curvature of the moving polode, R = M/(3 − M) = 1/(a₃ + 2).
+    pub fn r(&self) -> Quotient<K> {
+        let Symbols { ca, sd, k_sin, .. } = self.symbols();
+        let denominator = 2 * &k_sin - 3 * sd * ca;
+        Quotient::new(k_sin, denominator)
+    }
+
+    /// The two Burmester points that the linkage itself does not show.
+    pub fn alternates(&self) -> Alternates<K> {
+        let symbols = self.symbols();
+        if symbols.cd.is_zero().is_yes() {
+            return self.with_slider_pin_at_inflection_pole(&symbols);
+        }
+        if symbols.ca.is_zero().is_yes() {
+            return self.with_crank_pin_on_pole_normal();
+        }
+        let Symbols {
+            ca,
+            sa,
+            cd,
+            sd,
+            k_sin,
+        } = &symbols;
+        // quadratic s² + linear s c + absolute c² = 0 for the direction (c, s) of a ray
+        let quadratic = sa * ca * cd;
+        let linear = sa * (sa * cd + 3 * sd * ca - k_sin);
+        let absolute = ca * (sd * ca - k_sin);
+        let discriminant = linear.square() - 4 * &quadratic * absolute;
+        let twice = 2 * quadratic;
+        match discriminant.sign() {
+            None => Alternates::Undecided,
+            Some(Ordering::Less) => {
+                let (re, im) = (-linear / &twice, (-discriminant).sqrt() / twice);
+                Alternates::Complex([Number::complex(re.clone(), -&im), Number::complex(re, im)])
+            }
+            Some(_) => {
+                let root = discriminant.sqrt();
+                let rays = [-&linear - &root, -linear + root].map(|s| (twice.clone(), s));
+                sorted(rays.map(|(c, s)| self.pair(c, s, &symbols)))
+            }
+        }
+    }
+
+    /// The pair on the ray of direction (c, s): 1/PO = σ = (t − tan α_d)/(N s), 1/r = σ + 1/s.
+    fn pair(&self, c: Number<K>, s: Number<K>, symbols: &Symbols<K>) -> Pair<K> {
+        let Symbols {
+            ca, cd, sd, k_sin, ..
+        } = symbols;
+        let ray = upper_half(c, s);
+        let (c, s) = (ray.cos(), ray.sin());
+        let numerator = k_sin * &c * &s;
+        let from_d = ca * (&s * cd - sd * &c);
+        Pair {
+            point: Quotient::new(numerator.clone(), k_sin * c + &from_d),
+            center: Quotient::new(numerator, from_d),
+            ray,
+        }
+    }
+
+    /// α_d = 90°: the cubic is the circle σ = 1/(k s) and the pole normal, on which the condition in
+    /// θ⁴ leaves, beside σ = 0 of D, σ = 1 + 4/k.
+    fn with_slider_pin_at_inflection_pole(&self, symbols: &Symbols<K>) -> Alternates<K> {
+        let k = &self.k;
+        let ray = upper_half((k + 3) * &symbols.sa, -((k + 1) * &symbols.ca));
+        let on_circle = Pair {
+            point: Quotient::new(k * ray.sin(), k + 1),
+            center: Quotient::new(k * ray.sin(), Number::one()),
+            ray,
+        };
+        let on_normal = Pair {
+            ray: Angle::from_cos_sin(Number::zero(), Number::one()),
+            point: Quotient::new(k.clone(), 2 * (k + 2)),
+            center: Quotient::new(k.clone(), k + 4),
+        };
+        sorted([on_circle, on_normal])
+    }
+
+    /// α_a = 90°: the cubic is the inflection circle and the pole normal, on which the condition in
+    /// θ⁴ leaves, beside σ = 1/k of A, σ = 1 − 1/k. The fourth point has gone into the pole, along its
+    /// tangent: the limit for α_a → 90°, and no Burmester point itself, since the path of the pole has
+    /// a cusp.
+    fn with_crank_pin_on_pole_normal(&self) -> Alternates<K> {
+        let k = &self.k;
+        let at_pole = Pair {
+            ray: Angle::from_cos_sin(Number::one(), Number::zero()),
+            point: Quotient::zero(),
+            center: Quotient::zero(),
+        };
+        let on_normal = Pair {
+            ray: Angle::from_cos_sin(Number::zero(), Number::one()),
+            point: Quotient::new(k.clone(), 2 * k - 1),
+            center: Quotient::new(k.clone(), k - 1),
+        };
+        sorted([at_pole, on_normal])
+    }
+}
+
+/// The direction of a ray, modulo π, as an angle in [0°, 180°).
+fn upper_half<K: Real>(c: Number<K>, s: Number<K>) -> Angle<K> {
+    let downwards = match s.sign() {
+        Some(Ordering::Less) => true,
+        Some(Ordering::Equal) => c.sign() == Some(Ordering::Less),
+        _ => false,
+    };
+    let length = (c.square() + s.square()).sqrt();
+    let (cos, sin) = (c / &length, s / length);
+    if downwards {
+        Angle::from_cos_sin(-cos, -sin)
+    } else {
+        Angle::from_cos_sin(cos, sin)
+    }
+}
+
+/// The smaller tangent first, where that can be told; a tangent that is infinite comes last.
+fn sorted<K: Real>([first, second]: [Pair<K>; 2]) -> Alternates<K> {
+    let vertical = |pair: &Pair<K>| pair.ray.cos().is_zero().is_yes();
+    let out_of_order = vertical(&first)
+        || !vertical(&second)
+            && first.ray.tan().compare(&second.ray.tan()) == Some(Ordering::Greater);
+    Alternates::Real(Box::new(if out_of_order {
+        [second, first]
+    } else {
+        [first, second]
+    }))
+}

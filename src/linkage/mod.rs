@@ -1,0 +1,8 @@
+//! Linkages from their closure: four-bar, five-bar, focal mechanism, its crank drive, and Hart's
+//! straight-line mechanism.
+
+pub mod crank_drive;
+pub mod five_bar;
+pub mod focal_mechanism;
+pub mod four_bar;
+pub mod hart;
