@@ -2,6 +2,8 @@
 
 pub mod curvature;
 pub mod formula;
+pub mod ledger;
 pub mod linkage;
 pub mod number;
 pub mod plane;
+pub mod scenes;

@@ -1,0 +1,21 @@
+//! The ledger of statements: what the sources print, and the verdicts on it.
+//!
+//! Data flow one way: a statement from `data/papers` and its scene give a [`Judgement`]; nothing of
+//! a verdict is stored, and the `expected` one of the data is only compared with it.
+
+mod formula;
+mod judge;
+mod mutation;
+mod number;
+mod paper;
+mod printed;
+mod stage;
+mod verdict;
+
+pub use judge::{Judge, JudgeError, Options};
+pub use mutation::MutantCounts;
+pub use paper::{
+    Condition, Content, Example, Paper, PaperError, Statement, built_in, read_folder, read_paper,
+};
+pub use printed::Printed;
+pub use verdict::{Cause, Computed, Judgement, Kind, Proof, Verdict};

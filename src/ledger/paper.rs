@@ -1,0 +1,513 @@
+//! Reading `data/papers/<key>.toml`.
+
+use std::collections::{BTreeMap, HashSet};
+use std::path::Path;
+
+use serde::Deserialize;
+use thiserror::Error;
+use toml::Spanned;
+
+use super::{Cause, Kind, Verdict};
+use crate::formula::{Formula, read};
+use crate::scenes::{self, Scene};
+
+/// A source with its statements.
+#[derive(Clone, Debug)]
+pub struct Paper {
+    /// The word before the first `/` of its ids.
+    pub key: String,
+    /// Author, title, year.
+    pub title: String,
+    /// How many statements the source has; those that are not yet in the data are undecided.
+    pub total: usize,
+    /// The statements in the order of the print.
+    pub statements: Vec<Statement>,
+}
+
+/// One line of a source.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// Permanent, opaque, case-sensitive.
+    pub id: String,
+    /// Where it stands.
+    pub locus: String,
+    /// Equation, claim, number or cell.
+    pub kind: Kind,
+    /// What its symbols mean.
+    pub scene: &'static Scene,
+    /// The example that gives the scene's parameters; without one the line is meant for all.
+    pub example: Option<Example>,
+    /// As printed, in the words of the inventory.
+    pub printed: String,
+    /// What the line says.
+    pub content: Content,
+    /// Under what the line holds, where the text does not state it.
+    pub condition: Option<Condition>,
+    /// The right form where the print is wrong.
+    pub correct: Option<Text>,
+    /// Who made it wrong.
+    pub cause: Option<Cause>,
+    /// The id of the wrong line that this one follows from.
+    pub inherited_from: Option<String>,
+    /// Checks in code that belong to the line.
+    pub checks: Vec<String>,
+    /// The verdict that is asserted.
+    pub expected: Verdict,
+    /// What a reader should know.
+    pub note: Option<String>,
+    /// The data file.
+    pub file: String,
+    /// The line there where it begins.
+    pub line: usize,
+}
+
+impl Statement {
+    /// File, line and id, for messages.
+    pub fn place(&self) -> String {
+        format!("{}:{}: {}", self.file, self.line, self.id)
+    }
+}
+
+/// A formula and the text it was read from.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// As in the data.
+    pub text: String,
+    /// As read.
+    pub formula: Formula,
+}
+
+/// What a line says.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// A formula.
+    Formula(Text),
+    /// A printed value of a quantity of the scene.
+    Value {
+        /// The quantity.
+        quantity: Text,
+        /// What else gives the printed digits where they are wrong.
+        explained_by: Option<Text>,
+    },
+    /// What only the checks in code decide.
+    Check,
+    /// A line that the scan garbled beyond reading; it rests on its right form.
+    Garbled,
+}
+
+/// Under what a line holds that the text does not state.
+#[derive(Clone, Debug)]
+pub struct Condition {
+    /// Where the line holds.
+    pub text: Text,
+    /// Has configurations in which the condition fails: the line must fail in one of them.
+    pub outside: &'static Scene,
+}
+
+/// Parameters of a printed example.
+#[derive(Clone, Debug)]
+pub struct Example {
+    /// The data file and its name there.
+    pub name: String,
+    /// What the example assumes, by the scene's names.
+    pub given: BTreeMap<String, Formula>,
+}
+
+/// What is wrong with a data file, and where.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{file}:{line}: {message}")]
+pub struct PaperError {
+    /// The file.
+    pub file: String,
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong and what was expected.
+    pub message: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawPaper {
+    source: RawSource,
+    #[serde(default)]
+    example: BTreeMap<String, Spanned<RawExample>>,
+    #[serde(default)]
+    statement: Vec<Spanned<RawStatement>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawSource {
+    key: String,
+    title: String,
+    statements: usize,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawExample {
+    scene: String,
+    given: BTreeMap<String, String>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RawStatement {
+    id: String,
+    locus: String,
+    kind: Kind,
+    scene: Option<String>,
+    example: Option<String>,
+    quantity: Option<String>,
+    printed: Option<String>,
+    verbatim: Option<String>,
+    condition: Option<String>,
+    outside: Option<String>,
+    correct: Option<String>,
+    explained_by: Option<String>,
+    cause: Option<Cause>,
+    inherited_from: Option<String>,
+    #[serde(default)]
+    checks: Vec<String>,
+    expected: Verdict,
+    note: Option<String>,
+}
+
+/// The five sources as they were when this program was built.
+pub fn built_in() -> Result<Vec<Paper>, PaperError> {
+    [
+        (
+            "wunderlich1968",
+            include_str!("../../data/papers/wunderlich1968.toml"),
+        ),
+        (
+            "filemon1970",
+            include_str!("../../data/papers/filemon1970.toml"),
+        ),
+        (
+            "filemon1973",
+            include_str!("../../data/papers/filemon1973.toml"),
+        ),
+        (
+            "tesar1964",
+            include_str!("../../data/papers/tesar1964.toml"),
+        ),
+        ("kaufman", include_str!("../../data/papers/kaufman.toml")),
+    ]
+    .into_iter()
+    .map(|(key, text)| read_paper(&format!("data/papers/{key}.toml"), text))
+    .collect()
+}
+
+/// All `.toml` files of a folder, in the order of their names.
+pub fn read_folder(folder: &Path) -> Result<Vec<Paper>, PaperError> {
+    let unreadable = |path: &Path, error: std::io::Error| PaperError {
+        file: path.display().to_string(),
+        line: 0,
+        message: error.to_string(),
+    };
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(|error| unreadable(folder, error))? {
+        let path = entry.map_err(|error| unreadable(folder, error))?.path();
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
+            paths.push(path);
+        }
+    }
+    paths.sort();
+    if paths.is_empty() {
+        return Err(PaperError {
+            file: folder.display().to_string(),
+            line: 0,
+            message: "holds no .toml file; a folder of papers was expected".to_owned(),
+        });
+    }
+    paths
+        .iter()
+        .map(|path| {
+            let text = std::fs::read_to_string(path).map_err(|error| unreadable(path, error))?;
+            read_paper(&path.display().to_string(), &text)
+        })
+        .collect()
+}
+
+/// Reads and checks one paper; `file` is for messages.
+pub fn read_paper(file: &str, text: &str) -> Result<Paper, PaperError> {
+    let reader = Reader { file, text };
+    let raw: RawPaper = toml::from_str(text).map_err(|error| {
+        let place = error.span().map_or(0, |span| span.start);
+        reader.error(place, one_line(error.message()))
+    })?;
+    let mut statements = Vec::new();
+    let mut seen = HashSet::new();
+    for statement in raw.statement {
+        let place = statement.span().start;
+        let statement = reader.statement(statement.into_inner(), place, &raw.example)?;
+        if statement.id.split_once('/').map(|(key, _)| key) != Some(&raw.source.key) {
+            return Err(reader.error(
+                place,
+                format!(
+                    "the id `{}` must begin with `{}/`",
+                    statement.id, raw.source.key
+                ),
+            ));
+        }
+        if !seen.insert(statement.id.clone()) {
+            return Err(reader.error(place, format!("the id `{}` stands twice", statement.id)));
+        }
+        statements.push(statement);
+    }
+    if statements.len() > raw.source.statements {
+        return Err(reader.error(
+            0,
+            format!(
+                "{} statements, but the source has {} by its own count",
+                statements.len(),
+                raw.source.statements
+            ),
+        ));
+    }
+    Ok(Paper {
+        key: raw.source.key,
+        title: raw.source.title,
+        total: raw.source.statements,
+        statements,
+    })
+}
+
+fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+struct Reader<'a> {
+    file: &'a str,
+    text: &'a str,
+}
+
+impl Reader<'_> {
+    fn line(&self, place: usize) -> usize {
+        let before = self.text.as_bytes().iter().take(place);
+        1 + before.filter(|byte| **byte == b'\n').count()
+    }
+
+    fn error(&self, place: usize, message: impl Into<String>) -> PaperError {
+        PaperError {
+            file: self.file.to_owned(),
+            line: self.line(place),
+            message: message.into(),
+        }
+    }
+
+    fn formula(&self, place: usize, field: &str, text: &str) -> Result<Text, PaperError> {
+        match read(text) {
+            Ok(formula) => Ok(Text {
+                text: text.to_owned(),
+                formula,
+            }),
+            Err(error) => Err(self.error(
+                place,
+                format!(
+                    "{field} `{}`, column {}: {error}",
+                    shortened(text),
+                    error.span.start + 1
+                ),
+            )),
+        }
+    }
+
+    fn example(
+        &self,
+        place: usize,
+        name: &str,
+        examples: &BTreeMap<String, Spanned<RawExample>>,
+    ) -> Result<(String, Example), PaperError> {
+        let Some(raw) = examples.get(name) else {
+            let known: Vec<&str> = examples.keys().map(String::as_str).collect();
+            return Err(self.error(
+                place,
+                format!("unknown example `{name}`; this file has {}", listed(&known)),
+            ));
+        };
+        let inner = raw.get_ref();
+        let mut given = BTreeMap::new();
+        for (parameter, text) in &inner.given {
+            let value = self.formula(raw.span().start, parameter, text)?;
+            given.insert(parameter.clone(), value.formula);
+        }
+        let example = Example {
+            name: format!("{}: {name}", self.file),
+            given,
+        };
+        Ok((inner.scene.clone(), example))
+    }
+
+    fn condition(
+        &self,
+        place: usize,
+        raw: &RawStatement,
+        scene: &'static Scene,
+    ) -> Result<Option<Condition>, PaperError> {
+        match (&raw.condition, &raw.outside) {
+            (Some(text), outside) => Ok(Some(Condition {
+                text: self.formula(place, "condition", text)?,
+                outside: match outside {
+                    Some(name) => self.scene(place, name)?,
+                    None => scene,
+                },
+            })),
+            (None, None) => Ok(None),
+            (None, Some(_)) => Err(self.error(
+                place,
+                format!(
+                    "{}: `outside` is where a `condition` fails; there is none",
+                    raw.id
+                ),
+            )),
+        }
+    }
+
+    fn scene(&self, place: usize, name: &str) -> Result<&'static Scene, PaperError> {
+        scenes::find(name).ok_or_else(|| {
+            let known: Vec<&str> = scenes::scenes().iter().map(|scene| scene.name).collect();
+            self.error(
+                place,
+                format!("unknown scene `{name}`; there are {}", listed(&known)),
+            )
+        })
+    }
+
+    fn statement(
+        &self,
+        raw: RawStatement,
+        place: usize,
+        examples: &BTreeMap<String, Spanned<RawExample>>,
+    ) -> Result<Statement, PaperError> {
+        let error = |message: String| self.error(place, format!("{}: {message}", raw.id));
+        let (scene, example) = match (&raw.scene, &raw.example) {
+            (Some(scene), None) => (scene.clone(), None),
+            (None, Some(name)) => {
+                let (scene, example) = self.example(place, name, examples)?;
+                (scene, Some(example))
+            }
+            _ => {
+                return Err(error(
+                    "either `scene` or `example` was expected, and not both".to_owned(),
+                ));
+            }
+        };
+        let scene = self.scene(place, &scene)?;
+        if !raw.expected.fits(raw.kind) {
+            return Err(error(format!(
+                "`expected = \"{}\"` does not fit the kind `{}`",
+                raw.expected, raw.kind
+            )));
+        }
+        let wrong = raw.expected.is_erratum();
+        if wrong != raw.cause.is_some() || raw.correct.is_some() && !wrong {
+            return Err(error(
+                "a line that is wrong (`fails`, `contradicted`) has a `cause` and may have a \
+                 `correct` form; no other line has either"
+                    .to_owned(),
+            ));
+        }
+        if (raw.cause == Some(Cause::Inherited)) != raw.inherited_from.is_some() {
+            return Err(error(
+                "`inherited_from` names the wrong line of a cause `inherited`, and of no other"
+                    .to_owned(),
+            ));
+        }
+        let (printed, garbled) = match (&raw.printed, &raw.verbatim) {
+            (Some(printed), None) => (printed.clone(), false),
+            (None, Some(verbatim)) => (verbatim.clone(), true),
+            _ => {
+                return Err(error(
+                    "either `printed` or, for a line that cannot be read, `verbatim` was expected"
+                        .to_owned(),
+                ));
+            }
+        };
+        let as_expected = raw.cause == Some(Cause::Copy) && raw.expected == Verdict::Fails;
+        if garbled && !(as_expected && raw.correct.is_some()) {
+            return Err(error(
+                "a line stored verbatim fails with cause `copy`, and has its right form in `correct`"
+                    .to_owned(),
+            ));
+        }
+        let condition = self.condition(place, &raw, scene)?;
+        let content = match (&raw.quantity, raw.kind) {
+            _ if garbled => Content::Garbled,
+            (Some(quantity), _) => {
+                if example.is_none() {
+                    return Err(error(
+                        "a printed value of a quantity needs an `example`".to_owned(),
+                    ));
+                }
+                Content::Value {
+                    quantity: self.formula(place, "quantity", quantity)?,
+                    explained_by: match &raw.explained_by {
+                        Some(text) => Some(self.formula(place, "explained_by", text)?),
+                        None => None,
+                    },
+                }
+            }
+            (None, Kind::Number) => {
+                return Err(error("a number needs a `quantity`".to_owned()));
+            }
+            (None, Kind::Claim) if !raw.checks.is_empty() && condition.is_none() => Content::Check,
+            (None, _) => Content::Formula(self.formula(place, "printed", &printed)?),
+        };
+        let correct = match &raw.correct {
+            Some(text) => Some(self.formula(place, "correct", text)?),
+            None => None,
+        };
+        if let Some(unknown) = raw
+            .checks
+            .iter()
+            .find(|name| scenes::find_check(name).is_none())
+        {
+            let known: Vec<&str> = scenes::checks().iter().map(|check| check.name).collect();
+            return Err(error(format!(
+                "unknown check `{unknown}`; there are {}",
+                listed(&known)
+            )));
+        }
+        Ok(Statement {
+            file: self.file.to_owned(),
+            line: self.line(place),
+            id: raw.id,
+            locus: raw.locus,
+            kind: raw.kind,
+            scene,
+            example,
+            printed,
+            content,
+            condition,
+            correct,
+            cause: raw.cause,
+            inherited_from: raw.inherited_from,
+            checks: raw.checks,
+            expected: raw.expected,
+            note: raw.note,
+        })
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    if names.is_empty() {
+        "none".to_owned()
+    } else {
+        names.join(", ")
+    }
+}
+
+/// A text that fits into a message.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 200;
+    if text.chars().count() <= MOST {
+        return text.to_owned();
+    }
+    let start: String = text.chars().take(MOST).collect();
+    format!("{start}…")
+}

@@ -1,0 +1,65 @@
+//! Checks: statements that are no formula, as named functions.
+
+use super::{Unbuilt, wunderlich1968};
+use crate::number::Truth;
+
+/// What a check rests on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// For all values of the symbols.
+    Identity,
+    /// Random exact instances.
+    Instances,
+}
+
+/// What a check found.
+#[derive(Clone, Copy, Debug)]
+pub struct Report {
+    /// Whether the statement holds.
+    pub holds: Truth,
+    /// What a deliberately wrong variant of the statement came to; the check can fail only if this
+    /// is [`Truth::No`].
+    pub wrong_variant: Truth,
+    /// What the answer rests on.
+    pub basis: Basis,
+    /// How many instances were tried.
+    pub instances: usize,
+    /// Where the statement does not hold, if it holds but for an exception; the check shows both.
+    pub exception: Option<Exception>,
+}
+
+/// What the text does not say of a statement that holds but for some configurations.
+#[derive(Clone, Copy, Debug)]
+pub struct Exception {
+    /// Where it holds.
+    pub condition: &'static str,
+    /// A configuration in which it does not hold.
+    pub counterexample: &'static str,
+}
+
+/// A named check.
+#[derive(Clone, Copy, Debug)]
+pub struct Check {
+    /// The name by which data refer to it.
+    pub name: &'static str,
+    /// What it decides, and how.
+    pub summary: &'static str,
+    /// Runs it.
+    pub run: fn() -> Result<Report, Unbuilt>,
+}
+
+/// All checks, grouped by source.
+pub fn checks() -> &'static [Check] {
+    &[
+        wunderlich1968::keeps_lengths::CHECK,
+        wunderlich1968::order::CHECK,
+        wunderlich1968::foci::CHECK,
+        wunderlich1968::every_point::CHECK,
+        wunderlich1968::quadratics::CHECK,
+    ]
+}
+
+/// The check of this name.
+pub fn find_check(name: &str) -> Option<&'static Check> {
+    checks().iter().find(|check| check.name == name)
+}

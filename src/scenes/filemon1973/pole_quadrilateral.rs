@@ -1,0 +1,83 @@
+//! The pole quadrilateral O₁₄O₁₂O₂₃O₃₄ of four positions and its sides.
+
+use crate::formula::Bindings;
+use crate::number::{Number, Real};
+use crate::plane::displacement::Displacement;
+use crate::plane::{Point, relation};
+use crate::scenes::registry::scene;
+use crate::scenes::{Free, Scene, Unbuilt};
+
+pub const SCENE: Scene = scene!(
+    "filemon1973/pole-quadrilateral",
+    "Four positions of the moving plane, all of them free, and the pole quadrilateral O14, O12, O23, \
+     O34 that they give. Its sides are named as in figure 7: r and R lie on the lines through O1, \
+     c and h on those through O2; O1 faces h and O2 faces R, so that c < h and r < R.",
+    build,
+    not symbolic: "sides without an order; which ones are shorter belongs to the scene",
+    [
+        "O_12": "pole of the positions 1 and 2",
+        "O_23": "pole of the positions 2 and 3",
+        "O_34": "pole of the positions 3 and 4",
+        "O_14": "pole of the positions 1 and 4",
+        "r": "length of the side O12 O23",
+        "h": "length of the side O23 O34",
+        "R": "length of the side O34 O14",
+        "c": "length of the side O14 O12",
+        "U": "sum of the shortest and the longest side",
+        "Z": "sum of the other two sides",
+    ]
+);
+
+fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let mut positions = Vec::new();
+    for name in ["1", "2", "3", "4"] {
+        positions.push(Displacement {
+            rotation: free.angle(&format!("theta_{name}"))?.cis(),
+            translation: Number::complex(
+                free.number(&format!("x_{name}"))?,
+                free.number(&format!("y_{name}"))?,
+            ),
+        });
+    }
+    let [first, second, third, fourth] = positions.as_slice() else {
+        return Err(Unbuilt::Contradiction("not four positions".to_owned()));
+    };
+    let poles: [(&str, Point<K>); 4] = [
+        ("O_12", first.pole(second)),
+        ("O_23", second.pole(third)),
+        ("O_34", third.pole(fourth)),
+        ("O_14", first.pole(fourth)),
+    ];
+    let side = |i: usize, free: &mut dyn Free<K>, name: &str| {
+        let (a, b) = (&poles[i].1, &poles[(i + 1) % 4].1);
+        free.root(name, &relation::distance_squared(a, b))
+    };
+    let r = side(0, free, "r")?;
+    let h = side(1, free, "h")?;
+    let long = side(2, free, "R")?;
+    let c = side(3, free, "c")?;
+    Unbuilt::unless_real((&h - &c).is_positive(), "c is not the shorter one")?;
+    Unbuilt::unless_real((&long - &r).is_positive(), "r is not the shorter one")?;
+    let total = &r + &h + &long + &c;
+    // Of the two shorter ones of the pairs one is the shortest, and likewise for the longest.
+    let shortest = smaller(&r, &c)?;
+    let longest = -smaller(&-&long, &-&h)?;
+    let u = shortest + longest;
+    let mut bindings = Bindings::new(free.precision());
+    bindings.bind("Z", total - &u);
+    bindings.bind("U", u);
+    for (name, length) in [("r", r), ("h", h), ("R", long), ("c", c)] {
+        bindings.bind(name, length);
+    }
+    for (name, pole) in poles {
+        bindings.bind(name, pole);
+    }
+    Ok(bindings)
+}
+
+fn smaller<K: Real>(x: &Number<K>, y: &Number<K>) -> Result<Number<K>, Unbuilt> {
+    match x.compare(y) {
+        Some(order) => Ok(if order.is_gt() { y.clone() } else { x.clone() }),
+        None => Err(Unbuilt::NotHeld("the order of two sides".to_owned())),
+    }
+}

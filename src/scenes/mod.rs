@@ -1,0 +1,17 @@
+//! Scenes: what a paper's symbols mean, from first principles.
+//!
+//! A scene is a mechanism or configuration, built from closure, series or elimination and never
+//! from the paper's own equations. It binds the paper's symbols to values in any number kind. Its
+//! parameters come from a [`Free`] source: symbols that stay free, random exact numbers, or the
+//! numbers of a printed example.
+
+pub mod check;
+mod filemon1973;
+pub mod free;
+mod registry;
+mod tesar1964;
+mod wunderlich1968;
+
+pub use check::{Check, checks, find_check};
+pub use free::{Free, Unbuilt};
+pub use registry::{Scene, Symbol, find, scenes};
