@@ -1,9 +1,109 @@
 //! A certified reference for planar linkage kinematics.
+//!
+//! `burmester` holds what five classic sources say about planar linkages, decides every line of it,
+//! and answers new problems with enclosures that are rigorous. This page is a tour, from the ground
+//! up; each room of the library imports only what lies below it.
+//!
+//! # Numbers
+//!
+//! A theory function is written once, for any number kind, and reads like mathematics.
+//!
+//! ```
+//! use burmester::number::{Exact, Ball, Kind, Number, Real};
+//! use rug::Rational;
+//!
+//! /// Euler–Savary in units of the inflection circle's diameter: 1/PO = 1/PA − 1/sin α.
+//! fn center<K: Kind>(pa: &Number<K>, sin_alpha: &Number<K>) -> Number<K> {
+//!     1 / (1 / pa - 1 / sin_alpha)
+//! }
+//!
+//! // Exactly:
+//! let po = center::<Exact>(&Number::ratio(9, 19), &Number::ratio(24, 25));
+//! assert_eq!(po.to_string(), "72/77");
+//! // Enclosed, to 200 bits:
+//! let ball = |n, d| Number::<Ball>::rounded(&Rational::from((n, d)), &200);
+//! let po = center(&ball(9, 19), &ball(24, 25));
+//! assert!(po.0.accuracy_bits() > Some(190));
+//! ```
+//!
+//! The kinds: `f64`, [`Exact`](number::Exact) rationals, [`Surd`](number::Surd)s (sums of square
+//! roots, decided exactly), [`Ball`](number::Ball)s (rigorous enclosures),
+//! [`Fraction`](number::Fraction)s of polynomials with relations (identities for all values), and
+//! [`Complex`](number::Complex) numbers over any of them. A predicate answers yes, no or unknown
+//! ([`Truth`](number::Truth)).
+//!
+//! # Formulas are data
+//!
+//! A line of a paper stands in `data/papers` as text. It is read once and evaluated in any kind;
+//! with free symbols, that it holds is an identity.
+//!
+//! ```
+//! use burmester::formula::{Bindings, evaluate, read};
+//! use burmester::number::{Fraction, Ring};
+//!
+//! let ring = Ring::free(&["a", "b"]).ok_or("names clash")?;
+//! let [a, b] = ring.numbers();
+//! let mut symbols = Bindings::<Fraction>::new(());
+//! symbols.bind("a", a);
+//! symbols.bind("b", b);
+//! let right = read("(a + b)^2 = a^2 + 2 a b + b^2")?;
+//! let wrong = read("(a + b)^2 = a^2 + a b + b^2")?;
+//! assert!(evaluate(&right, &symbols)?.holds.is_yes());
+//! assert!(evaluate(&wrong, &symbols)?.holds.is_no());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The [grammar](formula) has an example of every construct.
+//!
+//! # Theory, scenes and verdicts
+//!
+//! [`plane`], [`linkage`] and [`curvature`] hold geometry and theory, derived from first principles
+//! and knowing no paper. [`scenes`] are the only place where a paper's symbols meet quantities of
+//! the theory. The [`ledger`] puts statement and scene together and finds the verdict:
+//!
+//! ```
+//! use burmester::ledger::{self, Judge, Options, Verdict};
+//!
+//! let papers = ledger::built_in()?;
+//! let line = papers
+//!     .iter()
+//!     .flat_map(|paper| &paper.statements)
+//!     .find(|statement| statement.id == "wunderlich1968/eq/1.8-s")
+//!     .ok_or("no such line")?;
+//! let mut judge = Judge::new(Options { digits: 30, mutants: false });
+//! let judgement = judge.judge(line)?;
+//! assert_eq!(judgement.verdict, Verdict::Fails);
+//! assert_eq!(judgement.corrected.as_deref(), Some("s = m p d/(m p + n q)"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # New problems
+//!
+//! The [`oracle`] takes a problem as JSON and gives the certified answer:
+//!
+//! ```
+//! use burmester::oracle::{self, Request};
+//! use serde_json::json;
+//!
+//! let answer = oracle::solve(
+//!     &json!({
+//!         "problem": "slider-crank-alternates",
+//!         "k": "1/2",
+//!         "alpha_a": {"tan_half": "3/4"},
+//!         "alpha_d": {"cos": "3/5", "sin": "4/5"},
+//!     }),
+//!     &Request::default(),
+//! )?;
+//! assert_eq!(answer["PO_a"], json!({"exact": "12/25"}));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod curvature;
 pub mod formula;
 pub mod ledger;
 pub mod linkage;
 pub mod number;
+pub mod oracle;
 pub mod plane;
+pub mod report;
 pub mod scenes;

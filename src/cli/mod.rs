@@ -1,0 +1,80 @@
+//! The command line: one file per command, each thin.
+
+mod explain;
+mod outcome;
+mod solve;
+mod style;
+mod verify;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand, ValueEnum};
+
+use outcome::Failure;
+
+/// A certified reference for planar linkage kinematics: what five classic sources say, decided line
+/// by line, and new problems solved with proofs. Without a command it runs `verify`.
+#[derive(Parser)]
+#[command(version, about, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Decide every statement of every source (the main job)
+    ///
+    /// Ends with status 0 when every verdict is the expected one, 1 when one differs, 2 for a wrong
+    /// call or wrong data.
+    Verify(verify::Arguments),
+    /// Show one statement in full: what is printed, what its symbols mean, the verdict and why
+    Explain(explain::Arguments),
+    /// Solve a problem given as JSON, with certified digits
+    ///
+    /// Example: echo '{"problem": "slider-crank-alternates", "k": "0.9", "alpha_a": {"degrees":
+    /// "72.5"}, "alpha_d": {"degrees": "45"}}' | burmester solve
+    Solve(solve::Arguments),
+}
+
+/// How an answer is printed.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// For a person
+    Text,
+    /// For a program
+    Json,
+}
+
+/// Where the statements come from.
+#[derive(clap::Args)]
+struct Data {
+    /// Read the papers (*.toml) of this folder instead of those built in
+    #[arg(long, value_name = "DIR")]
+    data: Option<PathBuf>,
+}
+
+impl Data {
+    fn papers(&self) -> Result<Vec<burmester::ledger::Paper>, Failure> {
+        let papers = match &self.data {
+            Some(folder) => burmester::ledger::read_folder(folder),
+            None => burmester::ledger::built_in(),
+        };
+        papers.map_err(|error| Failure::wrong(error.to_string()))
+    }
+}
+
+/// Runs the command that the arguments name.
+pub fn run() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        None => verify::run(&verify::Arguments::default()),
+        Some(Command::Verify(arguments)) => verify::run(&arguments),
+        Some(Command::Explain(arguments)) => explain::run(&arguments),
+        Some(Command::Solve(arguments)) => solve::run(&arguments),
+    };
+    match outcome {
+        Ok(code) => code,
+        Err(failure) => failure.report(),
+    }
+}

@@ -1,0 +1,178 @@
+//! `burmester solve`: new problems.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use burmester::oracle::{self, Arithmetic, Request};
+use burmester::report;
+use clap::ValueEnum;
+use serde_json::Value;
+
+use super::Format;
+use super::outcome::{Failure, print};
+
+/// Arguments of `solve`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A JSON file with one problem, or - for standard input
+    #[arg(value_name = "FILE", default_value = "-")]
+    file: PathBuf,
+    /// One problem a line, one answer a line
+    #[arg(long)]
+    lines: bool,
+    /// How to print (with --lines always json)
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Significant digits that are certified
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    digits: u32,
+    /// What to compute with
+    #[arg(long, value_enum, default_value_t = Chosen::Certified)]
+    arithmetic: Chosen,
+    /// Write a picture of the answer to this file
+    #[arg(long, value_name = "FILE", conflicts_with = "lines")]
+    svg: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Chosen {
+    /// Exact numbers and enclosures
+    Certified,
+    /// Floats: fast, nothing certified
+    F64,
+}
+
+/// More than this is no problem: 256 MiB.
+const MOST_BYTES: u64 = 1 << 28;
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let request = Request {
+        digits: arguments.digits,
+        arithmetic: match arguments.arithmetic {
+            Chosen::Certified => Arithmetic::Certified,
+            Chosen::F64 => Arithmetic::Float,
+        },
+    };
+    let name = shown(&arguments.file);
+    let input =
+        open(&arguments.file).map_err(|error| Failure::wrong(format!("{name}: {error}")))?;
+    if arguments.lines {
+        for (place, line) in BufReader::new(input).lines().enumerate() {
+            let place = format!("{name}:{}", place + 1);
+            let line = line.map_err(|error| Failure::wrong(format!("{place}: {error}")))?;
+            if !line.trim().is_empty() {
+                print(&format!("{}\n", solved(&line, &place, &request)?.1))?;
+            }
+        }
+    } else {
+        let mut text = String::new();
+        let read = input.take(MOST_BYTES).read_to_string(&mut text);
+        read.map_err(|error| Failure::wrong(format!("{name}: {error}")))?;
+        if text.trim().is_empty() {
+            return Err(Failure::wrong(format!(
+                "{name}: the input is empty; a problem as a JSON object was expected"
+            )));
+        }
+        let (problem, answer) = solved(&text, &name, &request)?;
+        if let Some(file) = &arguments.svg {
+            let picture = report::picture(&problem, &answer).ok_or_else(|| {
+                Failure::wrong(format!("{name}: there is no picture of this answer"))
+            })?;
+            write_whole(file, &picture)
+                .map_err(|error| Failure::wrong(format!("{}: {error}", file.display())))?;
+        }
+        print(&match arguments.format {
+            Format::Json => format!("{answer}\n"),
+            Format::Text => readable(&answer),
+        })?;
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn shown(file: &Path) -> String {
+    if file == Path::new("-") {
+        "standard input".to_owned()
+    } else {
+        file.display().to_string()
+    }
+}
+
+fn open(file: &Path) -> io::Result<Box<dyn Read>> {
+    if file == Path::new("-") {
+        Ok(Box::new(io::stdin()))
+    } else {
+        Ok(Box::new(File::open(file)?))
+    }
+}
+
+/// The problem and its answer.
+fn solved(text: &str, place: &str, request: &Request) -> Result<(Value, Value), Failure> {
+    let problem: Value = serde_json::from_str(text)
+        .map_err(|error| Failure::wrong(format!("{place}: no JSON: {error}")))?;
+    let answer = oracle::solve(&problem, request)
+        .map_err(|error| Failure::wrong(format!("{place}: {error}")))?;
+    Ok((problem, answer))
+}
+
+/// Writes a file whole or not at all: beside its place first, then into it.
+fn write_whole(file: &Path, text: &str) -> io::Result<()> {
+    let mut beside = file.as_os_str().to_owned();
+    beside.push(format!(".{}.part", std::process::id()));
+    let beside = PathBuf::from(beside);
+    let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, file));
+    if written.is_err() {
+        // Nothing more can be done about a leftover that cannot be removed.
+        let _ = std::fs::remove_file(&beside);
+    }
+    written
+}
+
+/// An answer for a person: a line for each field.
+fn readable(answer: &Value) -> String {
+    let Value::Object(fields) = answer else {
+        return format!("{answer}\n");
+    };
+    let width = fields.keys().map(String::len).max().unwrap_or(0);
+    fields
+        .iter()
+        .map(|(name, value)| match value {
+            Value::Array(members) if members.iter().all(|member| member.get("exact").is_none()) => {
+                let blocks: Vec<String> = members.iter().map(readable).collect();
+                format!("\n{name}\n{}", indented(&blocks.join("\n")))
+            }
+            value => format!("{name:<width$}  {}\n", in_words(value)),
+        })
+        .collect()
+}
+
+fn indented(text: &str) -> String {
+    text.lines().map(|line| format!("  {line}\n")).collect()
+}
+
+fn in_words(value: &Value) -> String {
+    let field = |name: &str| value.get(name);
+    if let Some(Value::String(exact)) = field("exact") {
+        return format!("{exact} (exact)");
+    }
+    if let (Some(Value::String(value)), Some(Value::String(radius))) =
+        (field("value"), field("radius"))
+    {
+        return format!("{value} ± {radius}");
+    }
+    if let Some(degrees) = field("degrees") {
+        return format!("{} degrees", in_words(degrees));
+    }
+    if let (Some(re), Some(im)) = (field("re"), field("im")) {
+        return format!("tangent {}  +  i · {}", in_words(re), in_words(im));
+    }
+    match value {
+        Value::Null => "—".to_owned(),
+        Value::Array(members) => members.iter().map(in_words).collect::<Vec<_>>().join(", "),
+        Value::String(text) => text.clone(),
+        _ if field("infinite").is_some() => "infinite".to_owned(),
+        other => other.to_string(),
+    }
+}

@@ -1,0 +1,424 @@
+//! `burmester verify`: every statement of every source.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+use std::io::IsTerminal;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use burmester::ledger::{Cause, Judge, Judgement, Options, Paper, Proof, Statement, Verdict};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::{Map, Value, json};
+
+use super::outcome::{Failure, print};
+use super::{Data, Format, style};
+
+/// Arguments of `verify`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Sources to decide, by key (all if left out)
+    #[arg(value_name = "SOURCE")]
+    sources: Vec<String>,
+    /// How to print
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Significant digits of computed values
+    #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    digits: u32,
+    /// Try the mutants of every formula too
+    #[arg(long)]
+    mutants: bool,
+    #[command(flatten)]
+    data: Data,
+}
+
+impl Default for Arguments {
+    fn default() -> Self {
+        Arguments {
+            sources: Vec::new(),
+            format: Format::Text,
+            digits: 30,
+            mutants: false,
+            data: Data { data: None },
+        }
+    }
+}
+
+/// A statement and what was found of it.
+struct Decided<'a> {
+    statement: &'a Statement,
+    judgement: Judgement,
+}
+
+impl Decided<'_> {
+    fn is_as_expected(&self) -> bool {
+        self.judgement.verdict == self.statement.expected
+    }
+}
+
+/// Writing to a string cannot fail.
+macro_rules! say {
+    ($text:expr, $($argument:tt)*) => {{
+        let _ = writeln!($text, $($argument)*);
+    }};
+}
+
+/// Runs the command.
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let papers = chosen(arguments.data.papers()?, &arguments.sources)?;
+    let total = papers.iter().map(|paper| paper.statements.len()).sum();
+    let progress = Progress::of(total);
+    let mut judge = Judge::new(Options {
+        digits: arguments.digits as usize,
+        mutants: arguments.mutants,
+    });
+    let mut decided = Vec::new();
+    for paper in &papers {
+        let mut of_paper = Vec::new();
+        for statement in &paper.statements {
+            let judgement = judge
+                .judge(statement)
+                .map_err(|error| Failure::wrong(format!("{}: {error}", statement.place())))?;
+            of_paper.push(Decided {
+                statement,
+                judgement,
+            });
+            progress.step();
+        }
+        decided.push((paper, of_paper));
+    }
+    drop(progress);
+    let text = match arguments.format {
+        Format::Json => json_lines(&decided),
+        Format::Text => for_a_person(&decided),
+    };
+    print(&text)?;
+    let all_as_expected = decided
+        .iter()
+        .flat_map(|(_, of_paper)| of_paper)
+        .all(Decided::is_as_expected);
+    Ok(ExitCode::from(u8::from(!all_as_expected)))
+}
+
+fn chosen(papers: Vec<Paper>, keys: &[String]) -> Result<Vec<Paper>, Failure> {
+    if keys.is_empty() {
+        return Ok(papers);
+    }
+    let known: Vec<String> = papers.iter().map(|paper| paper.key.clone()).collect();
+    if let Some(unknown) = keys.iter().find(|key| !known.contains(key)) {
+        return Err(Failure::wrong(format!(
+            "unknown source `{unknown}`; there are {}",
+            known.join(", ")
+        )));
+    }
+    Ok(papers
+        .into_iter()
+        .filter(|paper| keys.contains(&paper.key))
+        .collect())
+}
+
+/// A bar on a terminal, for work that takes longer than two seconds.
+struct Progress {
+    bar: ProgressBar,
+    started: Instant,
+}
+
+impl Progress {
+    fn of(total: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
+        // A template that cannot be read leaves the bar in its standard form.
+        if let Ok(style) =
+            ProgressStyle::with_template("{bar:40} {pos}/{len} statements, {eta} left")
+        {
+            bar.set_style(style);
+        }
+        Progress {
+            bar,
+            started: Instant::now(),
+        }
+    }
+
+    fn step(&self) {
+        if self.bar.is_hidden()
+            && self.started.elapsed() > Duration::from_secs(2)
+            && std::io::stderr().is_terminal()
+        {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.inc(1);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn json_lines(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let mut text = String::new();
+    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+        text.push_str(&Value::Object(line(one)).to_string());
+        text.push('\n');
+    }
+    text
+}
+
+/// One line of the JSON output; fields that say nothing are left out.
+fn line(decided: &Decided<'_>) -> Map<String, Value> {
+    let Decided {
+        statement,
+        judgement,
+    } = decided;
+    let mut line = Map::new();
+    let mut put = |name: &str, value: Value| {
+        if !value.is_null() {
+            line.insert(name.to_owned(), value);
+        }
+    };
+    put("id", json!(statement.id));
+    put("verdict", json!(judgement.verdict));
+    put("proof", json!(judgement.proof));
+    put("scene", json!(statement.scene.name));
+    put("printed", json!(statement.printed));
+    put("computed", json!(judgement.computed));
+    put("corrected", json!(judgement.corrected));
+    if judgement.verdict.is_erratum() {
+        put("cause", json!(statement.cause));
+        put("inherited_from", json!(statement.inherited_from));
+    }
+    put("instances", json!(judgement.instances));
+    put("mutants", json!(judgement.mutants));
+    put("evidence", json!(judgement.evidence));
+    if !judgement.counterexample.is_empty() {
+        let values = judgement.counterexample.iter().cloned();
+        let object: Map<String, Value> = values
+            .map(|(name, value)| (name, Value::String(value)))
+            .collect();
+        put("counterexample", Value::Object(object));
+    }
+    let notes: Vec<&str> = statement
+        .note
+        .iter()
+        .chain(&judgement.findings)
+        .map(String::as_str)
+        .collect();
+    if !notes.is_empty() {
+        put("note", json!(notes.join(" ")));
+    }
+    line
+}
+
+fn for_a_person(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let mut text = String::new();
+    push(&mut text, &table(decided));
+    push(&mut text, &errata(decided));
+    push(&mut text, &mutants(decided));
+    push(&mut text, &differences(decided));
+    text
+}
+
+fn push(text: &mut String, part: &str) {
+    if !part.is_empty() {
+        if !text.is_empty() {
+            text.push('\n');
+        }
+        text.push_str(part);
+    }
+}
+
+/// A row for each source, a column for each verdict that occurs.
+fn table(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let all = || decided.iter().flat_map(|(_, of_paper)| of_paper);
+    let verdicts: BTreeSet<Verdict> = all().map(|one| one.judgement.verdict).collect();
+    let left = |paper: &Paper, of_paper: &[Decided<'_>]| paper.total - of_paper.len();
+    let open = decided
+        .iter()
+        .any(|(paper, of_paper)| left(paper, of_paper) > 0);
+    let width = decided
+        .iter()
+        .map(|(paper, _)| paper.key.len())
+        .max()
+        .unwrap_or(0);
+    let mut text = String::new();
+    let mut head = format!("{:width$}  statements", "");
+    for verdict in &verdicts {
+        let name = verdict.to_string();
+        let column = name.len().max(5);
+        let _ = write!(
+            head,
+            "  {}",
+            style::verdict(&format!("{name:>column$}"), *verdict)
+        );
+    }
+    if open {
+        head.push_str("  not yet decided");
+    }
+    say!(text, "{head}");
+    for (paper, of_paper) in decided {
+        let mut row = format!(
+            "{}  {:>10}",
+            style::bold(&format!("{:width$}", paper.key)),
+            paper.total
+        );
+        for verdict in &verdicts {
+            let count = of_paper
+                .iter()
+                .filter(|one| one.judgement.verdict == *verdict)
+                .count();
+            let column = verdict.to_string().len().max(5);
+            let _ = write!(row, "  {:>column$}", number(count));
+        }
+        if open {
+            let _ = write!(row, "  {:>15}", number(left(paper, of_paper)));
+        }
+        say!(text, "{row}");
+    }
+    let mut proofs: BTreeMap<Proof, usize> = BTreeMap::new();
+    for one in all() {
+        *proofs.entry(one.judgement.proof).or_default() += 1;
+    }
+    let proofs: Vec<String> = proofs
+        .iter()
+        .map(|(proof, count)| format!("{count} {proof}"))
+        .collect();
+    say!(text, "{:width$}  {}", "proofs", proofs.join(", "));
+    text
+}
+
+/// Nothing is quieter than a zero.
+fn number(count: usize) -> String {
+    if count == 0 {
+        "·".to_owned()
+    } else {
+        count.to_string()
+    }
+}
+
+fn errata(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let mut text = String::new();
+    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+        if one.judgement.verdict.is_erratum() {
+            if text.is_empty() {
+                say!(text, "{}", style::bold("Errata"));
+            }
+            text.push_str(&erratum(one));
+        }
+    }
+    text
+}
+
+fn erratum(decided: &Decided<'_>) -> String {
+    let Decided {
+        statement,
+        judgement,
+    } = decided;
+    let mut text = String::new();
+    let name = style::verdict(&judgement.verdict.to_string(), judgement.verdict);
+    say!(
+        text,
+        "  {}  {}, {name}{}",
+        style::bold(&statement.id),
+        statement.locus,
+        cause(statement)
+    );
+    say!(text, "      printed   {}", statement.printed);
+    if let Some(corrected) = &judgement.corrected {
+        say!(text, "      right     {corrected}");
+    }
+    if let Some(computed) = &judgement.computed {
+        say!(text, "      computed  {computed}");
+    }
+    say!(text, "      known by  {}", known_by(judgement));
+    for finding in &judgement.findings {
+        say!(text, "      found     {}", style::folded(finding, 84, 16));
+    }
+    if let Some(note) = &statement.note {
+        say!(text, "      note      {}", style::folded(note, 84, 16));
+    }
+    text
+}
+
+fn cause(statement: &Statement) -> &'static str {
+    match statement.cause {
+        None => "",
+        Some(Cause::Author) => " by the author",
+        Some(Cause::Print) => " in print",
+        Some(Cause::Copy) => " in the scan",
+        Some(Cause::Inherited) => ", inherited",
+        Some(Cause::Unknown) => ", author or print",
+    }
+}
+
+/// How a wrong line is known to be wrong.
+fn known_by(judgement: &Judgement) -> String {
+    let what = match judgement.proof {
+        Proof::Identity => "an identity",
+        Proof::Exact => "exact arithmetic",
+        Proof::Instances => "exact instances",
+        Proof::Certified => "a rigorous enclosure",
+        Proof::Numeric => "samples",
+    };
+    let values: Vec<String> = judgement
+        .counterexample
+        .iter()
+        .filter(|(_, value)| value.len() < 20)
+        .take(6)
+        .map(|(name, value)| format!("{name} = {value}"))
+        .collect();
+    if values.is_empty() {
+        what.to_owned()
+    } else {
+        format!("{what}; it fails where {}", values.join(", "))
+    }
+}
+
+fn mutants(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let mut text = String::new();
+    let (mut tried, mut rejected, mut equivalent) = (0, 0, 0);
+    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+        let Some(counts) = &one.judgement.mutants else {
+            continue;
+        };
+        tried += counts.tried;
+        rejected += counts.rejected;
+        equivalent += counts.equivalent;
+        for survivor in &counts.survivors {
+            say!(text, "      undecided  {}  {survivor}", one.statement.id);
+        }
+    }
+    if tried == 0 {
+        return text;
+    }
+    let undecided = tried - rejected - equivalent;
+    let summary = format!(
+        "  {tried} tried, {rejected} rejected, {equivalent} proved equivalent, {undecided} undecided\n"
+    );
+    format!("{}\n{summary}{text}", style::bold("Mutants"))
+}
+
+fn differences(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+    let mut text = String::new();
+    let mut count = 0;
+    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+        count += 1;
+        if !one.is_as_expected() {
+            say!(
+                text,
+                "  {}: expected {}, found {}{}",
+                one.statement.place(),
+                one.statement.expected,
+                style::verdict(&one.judgement.verdict.to_string(), one.judgement.verdict),
+                one.judgement
+                    .findings
+                    .iter()
+                    .map(|finding| format!("; {finding}"))
+                    .collect::<String>(),
+            );
+        }
+    }
+    if text.is_empty() {
+        return format!("All {count} verdicts are the expected ones.\n");
+    }
+    format!("{}\n{text}", style::bold("Not as expected"))
+}

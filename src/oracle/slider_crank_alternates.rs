@@ -1,0 +1,238 @@
+//! `slider-crank-alternates`: the two other Burmester points of a slider-crank.
+
+use serde_json::{Map, Value, json};
+
+use super::input::{self, Fields};
+use super::sharpen::{Attempt, sharpen};
+use super::{Arithmetic, ProblemError, Request, output};
+use crate::curvature::slider_crank::{Alternates, Pair, Quotient, SliderCrank};
+use crate::number::{Ball, Complex, Elementary, Number, Real, Surd};
+use crate::plane::Angle;
+
+/// The answer's numbers in their order.
+const NUMBERS: [&str; 10] = [
+    "PD", "PO_a", "PA", "N", "M", "R", "PB", "PC", "PO_b", "PO_c",
+];
+
+struct Problem {
+    k: rug::Rational,
+    alpha_a: input::Angle,
+    alpha_d: input::Angle,
+}
+
+/// Reads and solves the problem.
+pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
+    fields.only(&["k", "alpha_a", "alpha_d"])?;
+    let problem = Problem {
+        k: fields.number("k")?,
+        alpha_a: fields.angle("alpha_a")?,
+        alpha_d: fields.angle("alpha_d")?,
+    };
+    Ok(match request.arithmetic {
+        Arithmetic::Float => problem.float(),
+        Arithmetic::Certified => problem.certified(request.digits),
+    })
+}
+
+impl Problem {
+    fn linkage<K: Elementary>(&self, precision: &K::Precision) -> SliderCrank<K> {
+        SliderCrank {
+            k: Number::rounded(&self.k, precision),
+            alpha_a: self.alpha_a.rounded(precision),
+            alpha_d: self.alpha_d.rounded(precision),
+        }
+    }
+
+    fn exact(&self) -> Option<SliderCrank<Surd>> {
+        Some(SliderCrank {
+            k: self.k.clone().into(),
+            alpha_a: self.alpha_a.exact()?,
+            alpha_d: self.alpha_d.exact()?,
+        })
+    }
+
+    fn certified(&self, digits: u32) -> Map<String, Value> {
+        let exact = self.exact().map(|linkage| Quantities::of(&linkage));
+        sharpen(digits, |attempt| {
+            let balls = Quantities::of(&self.linkage::<Ball>(&attempt.bits));
+            Both {
+                exact: exact.as_ref(),
+                balls: &balls,
+                attempt,
+            }
+            .answer()
+        })
+    }
+
+    fn float(&self) -> Map<String, Value> {
+        let quantities = Quantities::of(&self.linkage::<f64>(&()));
+        let mut answer = Map::new();
+        for (name, quotient) in &quantities.numbers {
+            let value = quotient.as_ref().map_or(Value::Null, |quotient| {
+                if quotient.denominator.0 == 0.0 {
+                    json!({"infinite": true})
+                } else {
+                    output::float(quotient.value().0)
+                }
+            });
+            answer.insert((*name).into(), value);
+        }
+        let degrees = |ray: &Angle<f64>| json!({"degrees": output::float(ray.sin().atan2(&ray.cos()).0.to_degrees())});
+        let tangent = |tangent: &Number<Complex<f64>>| json!({"re": output::float(tangent.re().0), "im": output::float(tangent.im().0)});
+        let rays = match &quantities.rays {
+            Rays::Real(rays) => rays.each_ref().map(degrees),
+            Rays::Complex(tangents) => tangents.each_ref().map(tangent),
+            Rays::Undecided => [Value::Null, Value::Null],
+        };
+        insert_rays(&mut answer, rays);
+        answer
+    }
+}
+
+fn insert_rays(answer: &mut Map<String, Value>, [b, c]: [Value; 2]) {
+    answer.insert("alpha_b".into(), b);
+    answer.insert("alpha_c".into(), c);
+}
+
+/// All quantities of the answer in one number kind.
+struct Quantities<K> {
+    /// `None` for those of complex points.
+    numbers: Vec<(&'static str, Option<Quotient<K>>)>,
+    rays: Rays<K>,
+}
+
+enum Rays<K> {
+    Real([Angle<K>; 2]),
+    Complex([Number<Complex<K>>; 2]),
+    Undecided,
+}
+
+impl<K: Real> Quantities<K> {
+    fn of(linkage: &SliderCrank<K>) -> Self {
+        let (rays, [pb, pc, po_b, po_c]) = match linkage.alternates() {
+            Alternates::Real(pairs) => {
+                let [b, c] = *pairs;
+                let (Pair { ray: ray_b, .. }, Pair { ray: ray_c, .. }) = (&b, &c);
+                (
+                    Rays::Real([ray_b.clone(), ray_c.clone()]),
+                    [b.point, c.point, b.center, c.center].map(Some),
+                )
+            }
+            Alternates::Complex(tangents) => (Rays::Complex(tangents), [None, None, None, None]),
+            Alternates::Undecided => (Rays::Undecided, [None, None, None, None]),
+        };
+        let finite = |numerator| Quotient {
+            numerator,
+            denominator: Number::one(),
+        };
+        let values = [
+            Some(finite(linkage.pd())),
+            Some(finite(linkage.po_a())),
+            Some(linkage.pa()),
+            Some(linkage.n()),
+            Some(linkage.m()),
+            Some(linkage.r()),
+            pb,
+            pc,
+            po_b,
+            po_c,
+        ];
+        Quantities {
+            numbers: NUMBERS.into_iter().zip(values).collect(),
+            rays,
+        }
+    }
+}
+
+/// The quantities in exact numbers, as far as these hold them, and in balls.
+struct Both<'a> {
+    exact: Option<&'a Quantities<Surd>>,
+    balls: &'a Quantities<Ball>,
+    attempt: &'a mut Attempt,
+}
+
+impl Both<'_> {
+    fn answer(&mut self) -> Map<String, Value> {
+        let mut answer = Map::new();
+        for (place, (name, ball)) in self.balls.numbers.iter().enumerate() {
+            let exact = self
+                .exact
+                .and_then(|exact| exact.numbers.get(place)?.1.as_ref());
+            let value = match (exact, ball) {
+                (None, None) if self.are_complex() => Some(Value::Null),
+                (exact, ball) => exact
+                    .and_then(|quotient| self.exact_number(quotient))
+                    .or_else(|| self.number(ball.as_ref()?)),
+            };
+            answer.insert((*name).into(), self.attempt.decided(name, value));
+        }
+        let rays = [("alpha_b", 0), ("alpha_c", 1)].map(|(name, place)| {
+            let ray = self.ray(place);
+            self.attempt.decided(name, ray)
+        });
+        insert_rays(&mut answer, rays);
+        answer
+    }
+
+    /// Whether B and C are known to be complex.
+    fn are_complex(&self) -> bool {
+        matches!(self.balls.rays, Rays::Complex(_))
+            || self
+                .exact
+                .is_some_and(|exact| matches!(exact.rays, Rays::Complex(_)))
+    }
+
+    fn number(&self, quotient: &Quotient<Ball>) -> Option<Value> {
+        if quotient.denominator.is_zero().is_yes() {
+            return quotient.numerator.is_zero().is_no().then(infinite);
+        }
+        output::enclosure(&quotient.value(), self.attempt.digits)
+    }
+
+    fn exact_number(&self, quotient: &Quotient<Surd>) -> Option<Value> {
+        if quotient.denominator.is_zero().is_yes() {
+            return quotient.numerator.is_zero().is_no().then(infinite);
+        }
+        output::surd(&quotient.value(), self.attempt.digits, self.attempt.bits)
+    }
+
+    fn ray(&self, place: usize) -> Option<Value> {
+        let exact = self.exact.and_then(|exact| match &exact.rays {
+            Rays::Real(rays) => exact_degrees(rays.get(place)?).map(|q| output::exact(&q)),
+            _ => None,
+        });
+        if let Some(degrees) = exact {
+            return Some(json!({"degrees": degrees}));
+        }
+        match &self.balls.rays {
+            Rays::Real(rays) => {
+                let ray = rays.get(place)?;
+                let radians = ray.sin().atan2(&ray.cos());
+                let degrees = radians * 180 / Number::pi(&self.attempt.bits);
+                Some(json!({"degrees": output::enclosure(&degrees, self.attempt.digits)?}))
+            }
+            Rays::Complex(tangents) => {
+                let tangent = tangents.get(place)?;
+                Some(json!({
+                    "re": output::enclosure(tangent.re(), self.attempt.digits)?,
+                    "im": output::enclosure(tangent.im(), self.attempt.digits)?,
+                }))
+            }
+            Rays::Undecided => None,
+        }
+    }
+}
+
+fn infinite() -> Value {
+    json!({"infinite": true})
+}
+
+/// The degrees of a ray that is a multiple of 15°.
+fn exact_degrees(ray: &Angle<Surd>) -> Option<rug::Rational> {
+    (0..12u32)
+        .map(|step| rug::Rational::from(15 * step))
+        .find(|degrees| {
+            Angle::from_degrees(degrees, &())
+                .is_some_and(|angle| angle.equals_modulo_pi(ray).is_yes())
+        })
+}

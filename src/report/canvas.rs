@@ -1,0 +1,283 @@
+//! A drawing in the coordinates of the plane, y upwards, that fits itself onto a page.
+
+use std::fmt::Write;
+
+/// A point of the drawing.
+pub type Point = [f64; 2];
+
+/// What a line stands for decides how it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stroke {
+    /// A bar of the linkage.
+    Bar,
+    /// The bar that drives.
+    Crank,
+    /// The fixed base.
+    Base,
+    /// The path of a point.
+    Path,
+    /// The path that the picture is about.
+    MainPath,
+    /// A curve of the theory.
+    Curve,
+}
+
+impl Stroke {
+    fn attributes(self) -> &'static str {
+        match self {
+            Stroke::Bar => r##"stroke="#37474f" stroke-width="4" stroke-linecap="round""##,
+            Stroke::Crank => r##"stroke="#c62828" stroke-width="5" stroke-linecap="round""##,
+            Stroke::Base => {
+                r##"stroke="#90a4ae" stroke-width="3" stroke-dasharray="2 6" stroke-linecap="round""##
+            }
+            Stroke::Path => r##"stroke="#1565c0" stroke-width="1.5""##,
+            Stroke::MainPath => r##"stroke="#1565c0" stroke-width="3""##,
+            Stroke::Curve => r##"stroke="#2e7d32" stroke-width="1.5""##,
+        }
+    }
+}
+
+/// How a joint looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Joint {
+    /// Fixed to the ground.
+    Fixed,
+    /// Moving.
+    Moving,
+}
+
+enum Shape {
+    Line(Vec<Point>, Stroke),
+    Joint(Point, Joint, &'static str),
+}
+
+/// A drawing in the making.
+pub struct Canvas {
+    title: String,
+    description: String,
+    shapes: Vec<Shape>,
+    legend: Vec<(Stroke, String)>,
+    low: Point,
+    high: Point,
+}
+
+const WIDTH: f64 = 900.0;
+const MOST_HEIGHT: f64 = 900.0;
+const MARGIN: f64 = 50.0;
+const LINE_HEIGHT: f64 = 22.0;
+
+impl Canvas {
+    /// An empty drawing; the description is what a reader who cannot see it is told.
+    pub fn new(title: &str, description: &str) -> Self {
+        Canvas {
+            title: title.to_owned(),
+            description: description.to_owned(),
+            shapes: Vec::new(),
+            legend: Vec::new(),
+            low: [f64::INFINITY; 2],
+            high: [f64::NEG_INFINITY; 2],
+        }
+    }
+
+    /// Makes room for a point.
+    pub fn show(&mut self, point: Point) {
+        for ((low, high), x) in self.low.iter_mut().zip(&mut self.high).zip(point) {
+            if x.is_finite() {
+                *low = low.min(x);
+                *high = high.max(x);
+            }
+        }
+    }
+
+    /// The part of the plane that is shown, a little enlarged.
+    pub fn window(&self) -> (Point, Point) {
+        let [x0, y0] = self.low;
+        let [x1, y1] = self.high;
+        let margin = 0.15 * (x1 - x0).max(y1 - y0).max(1e-9);
+        ([x0 - margin, y0 - margin], [x1 + margin, y1 + margin])
+    }
+
+    /// A line through points, all of which are shown.
+    pub fn line(&mut self, points: impl IntoIterator<Item = Point>, stroke: Stroke) {
+        let points: Vec<Point> = points.into_iter().collect();
+        for point in &points {
+            self.show(*point);
+        }
+        self.shapes.push(Shape::Line(points, stroke));
+    }
+
+    /// A line that is drawn where it falls into the picture, without making room for it.
+    pub fn background(&mut self, points: Vec<Point>, stroke: Stroke) {
+        self.shapes.push(Shape::Line(points, stroke));
+    }
+
+    /// A joint and its name.
+    pub fn joint(&mut self, at: Point, joint: Joint, name: &'static str) {
+        self.show(at);
+        self.shapes.push(Shape::Joint(at, joint, name));
+    }
+
+    /// A line of the legend.
+    pub fn explain(&mut self, stroke: Stroke, text: &str) {
+        self.legend.push((stroke, text.to_owned()));
+    }
+
+    /// The drawing as an SVG document.
+    pub fn to_svg(&self) -> String {
+        let ([x0, y0], [x1, y1]) = self.window();
+        let scale =
+            ((WIDTH - 2.0 * MARGIN) / (x1 - x0)).min((MOST_HEIGHT - 2.0 * MARGIN) / (y1 - y0));
+        let height = (y1 - y0) * scale + 2.0 * MARGIN;
+        let left = (WIDTH - (x1 - x0) * scale) / 2.0;
+        let place = |[x, y]: Point| [left + (x - x0) * scale, MARGIN + (y1 - y) * scale];
+        let below = height + LINE_HEIGHT * (self.legend.len() as f64 + 1.0);
+        let mut svg = String::new();
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            svg,
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {below:.0}" width="{WIDTH}" height="{below:.0}" role="img" aria-labelledby="title description" font-family="sans-serif">"#
+        );
+        let _ = writeln!(svg, r#"<title id="title">{}</title>"#, escaped(&self.title));
+        let _ = writeln!(
+            svg,
+            r#"<desc id="description">{}</desc>"#,
+            escaped(&self.description)
+        );
+        let _ = writeln!(
+            svg,
+            r##"<rect width="100%" height="100%" fill="#ffffff"/>"##
+        );
+        let _ = writeln!(
+            svg,
+            r##"<text x="{MARGIN}" y="32" font-size="20" fill="#263238">{}</text>"##,
+            escaped(&self.title)
+        );
+        let _ = writeln!(
+            svg,
+            r#"<clipPath id="window"><rect x="{left:.1}" y="{MARGIN}" width="{:.1}" height="{:.1}"/></clipPath><g clip-path="url(#window)">"#,
+            (x1 - x0) * scale,
+            (y1 - y0) * scale
+        );
+        for shape in &self.shapes {
+            if let Shape::Line(points, stroke) = shape {
+                polyline(&mut svg, points.iter().map(|point| place(*point)), *stroke);
+            }
+        }
+        svg.push_str("</g>\n");
+        let joints: Vec<Point> = self.joints().map(|(at, ..)| place(at)).collect();
+        for (index, (at, joint, name)) in self.joints().enumerate() {
+            draw_joint(
+                &mut svg,
+                place(at),
+                joint,
+                name,
+                label_place(&joints, index),
+            );
+        }
+        for (row, (stroke, text)) in self.legend.iter().enumerate() {
+            let y = height + LINE_HEIGHT * (row as f64 + 0.5);
+            polyline(
+                &mut svg,
+                [[MARGIN, y - 5.0], [MARGIN + 44.0, y - 5.0]].into_iter(),
+                *stroke,
+            );
+            let _ = writeln!(
+                svg,
+                r##"<text x="{}" y="{y}" font-size="15" fill="#263238">{}</text>"##,
+                MARGIN + 56.0,
+                escaped(text)
+            );
+        }
+        svg.push_str("</svg>\n");
+        svg
+    }
+
+    fn joints(&self) -> impl Iterator<Item = (Point, Joint, &'static str)> {
+        self.shapes.iter().filter_map(|shape| match shape {
+            Shape::Joint(at, joint, name) => Some((*at, *joint, *name)),
+            Shape::Line(..) => None,
+        })
+    }
+}
+
+/// A place for a label: the one of eight around the joint that is farthest from all other joints.
+fn label_place(joints: &[Point], index: usize) -> Point {
+    let [x, y] = joints.get(index).copied().unwrap_or_default();
+    let mut best = ([x + 14.0, y - 12.0], f64::NEG_INFINITY);
+    for step in 0..8 {
+        let angle = f64::from(step) * std::f64::consts::FRAC_PI_4 + 0.4;
+        let place = [x + 20.0 * angle.cos(), y + 20.0 * angle.sin()];
+        let room = joints
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != index)
+            .map(|(_, [u, v])| (place[0] - u).hypot(place[1] - v))
+            .fold(200.0, f64::min);
+        if room > best.1 {
+            best = (place, room);
+        }
+    }
+    best.0
+}
+
+fn polyline(svg: &mut String, points: impl Iterator<Item = Point>, stroke: Stroke) {
+    let mut path = String::new();
+    let mut pen_down = false;
+    for [x, y] in points {
+        // A gap in the data is a gap in the line.
+        if !(x.is_finite() && y.is_finite()) || x.abs() > 1e6 || y.abs() > 1e6 {
+            pen_down = false;
+            continue;
+        }
+        let _ = write!(path, "{}{x:.1} {y:.1}", if pen_down { " L" } else { " M" });
+        pen_down = true;
+    }
+    if !path.is_empty() {
+        let _ = writeln!(
+            svg,
+            r#"<path d="{}" fill="none" {}/>"#,
+            path.trim_start(),
+            stroke.attributes()
+        );
+    }
+}
+
+fn draw_joint(svg: &mut String, [x, y]: Point, joint: Joint, name: &str, [u, v]: Point) {
+    if joint == Joint::Fixed {
+        let _ = writeln!(
+            svg,
+            r##"<path d="M{x:.1} {y:.1} l-11 18 h22 z" fill="#eceff1" stroke="#546e7a" stroke-width="1.5"/>"##
+        );
+    }
+    let _ = writeln!(
+        svg,
+        r##"<circle cx="{x:.1}" cy="{y:.1}" r="5" fill="#ffffff" stroke="#263238" stroke-width="2"/>"##
+    );
+    // The halo is a text of its own: not every viewer paints outlines below fillings.
+    for halo in [r##"stroke="#ffffff" stroke-width="4""##, ""] {
+        let _ = writeln!(
+            svg,
+            r##"<text x="{u:.1}" y="{:.1}" font-size="17" font-style="italic" text-anchor="middle" fill="#263238" {halo}>{}</text>"##,
+            v + 6.0,
+            escaped(name)
+        );
+    }
+}
+
+/// The smallest distance between two of these points: a position in which it is large is easy to
+/// read.
+pub fn spread(points: &[Point]) -> f64 {
+    let mut least = f64::INFINITY;
+    for (i, [x, y]) in points.iter().enumerate() {
+        for [u, v] in points.iter().skip(i + 1) {
+            least = least.min((x - u).hypot(y - v));
+        }
+    }
+    least
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
