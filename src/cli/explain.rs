@@ -5,6 +5,7 @@ use std::process::ExitCode;
 
 use burmester::formula::Formula;
 use burmester::ledger::{Content, Judge, Judgement, Options, Paper, Proof, Statement, Verdict};
+use burmester::scenes::find_check;
 
 use super::outcome::{Failure, print};
 use super::{Data, style};
@@ -258,12 +259,21 @@ fn scene(text: &mut String, statement: &Statement) {
             .collect();
         say!(text, "  {:<10} {}", "given", given.join(", "));
     }
+    for check in statement.checks.iter().filter_map(|name| find_check(name)) {
+        say!(text, "  {:<10} {}", "check", check.name);
+        say!(
+            text,
+            "  {:<10} {}",
+            "",
+            style::folded(check.summary, 84, 13)
+        );
+    }
     let used = used_symbols(statement);
     let symbols = || {
         scene
             .symbols
             .iter()
-            .filter(|symbol| used.iter().any(|name| name == symbol.name))
+            .filter(|symbol| used.is_empty() || used.iter().any(|name| name == symbol.name))
     };
     let width = symbols().map(|symbol| symbol.name.len()).max().unwrap_or(0);
     for symbol in symbols() {

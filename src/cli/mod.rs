@@ -16,7 +16,7 @@ use outcome::Failure;
 /// A certified reference for planar linkage kinematics: what five classic sources say, decided line
 /// by line, and new problems solved with proofs. Without a command it runs `verify`.
 #[derive(Parser)]
-#[command(version, about, max_term_width = 100)]
+#[command(version, max_term_width = 100)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -32,6 +32,10 @@ enum Command {
     /// Show one statement in full: what is printed, what its symbols mean, the verdict and why
     Explain(explain::Arguments),
     /// Solve a problem given as JSON, with certified digits
+    ///
+    /// Problems: focal-mechanism (a, b, c, d, rho), hart (m, n, d, kappa), slider-crank-alternates
+    /// (k, alpha_a, alpha_d). Numbers are strings ("3", "-5/13", "0.125") and taken exactly; angles
+    /// are {"degrees": …}, {"radians": …}, {"tan_half": …} or {"cos": …, "sin": …}.
     ///
     /// Example: echo '{"problem": "slider-crank-alternates", "k": "0.9", "alpha_a": {"degrees":
     /// "72.5"}, "alpha_d": {"degrees": "45"}}' | burmester solve

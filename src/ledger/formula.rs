@@ -1,7 +1,7 @@
 //! Formula on scene: does it hold?
 
 use super::Proof;
-use super::judge::JudgeError;
+use super::error::JudgeError;
 use super::stage::Stage;
 use crate::formula::{Bindings, Failure, Formula, Value, evaluate};
 use crate::number::{Number, Real, Surd, Truth};

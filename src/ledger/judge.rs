@@ -2,18 +2,17 @@
 
 use std::collections::HashMap;
 
-use thiserror::Error;
-
+use super::error::JudgeError;
 use super::formula::{Finding, decide, failure_outside, restricted};
 use super::mutation::try_mutants;
 use super::number::{ValueFinding, compare_decimal, compare_expression, evaluate_quantity, shown};
 use super::paper::{Condition, Content, Statement, Text};
 use super::stage::Stage;
 use super::{Computed, Judgement, Kind, Printed, Proof, Verdict};
-use crate::formula::{Failure, ReadError};
+
 use crate::number::Truth;
+use crate::scenes;
 use crate::scenes::check::{Basis, Report};
-use crate::scenes::{self, Unbuilt};
 
 /// What to compute beside the verdict.
 #[derive(Clone, Copy, Debug)]
@@ -22,49 +21,6 @@ pub struct Options {
     pub digits: usize,
     /// Whether to try the mutants of every formula.
     pub mutants: bool,
-}
-
-/// Why a statement could not be judged: the data or the scene is wrong.
-#[derive(Clone, Debug, Error)]
-pub enum JudgeError {
-    /// A formula names what the scene does not have, or mixes types.
-    #[error("column {}: {}", .failure.span().start + 1, .failure)]
-    Formula {
-        /// What is wrong.
-        failure: Failure,
-    },
-    /// A printed expression cannot be read.
-    #[error("printed: {0}")]
-    Reading(ReadError),
-    /// The scene could not be built.
-    #[error("scene: {0}")]
-    Scene(#[from] Unbuilt),
-    /// A correction in the data does not hold itself.
-    #[error("the correction `{text}` does not hold: {why}")]
-    WrongCorrection {
-        /// As in the data.
-        text: String,
-        /// What was found of it.
-        why: String,
-    },
-    /// What the data say explains a print does not give it.
-    #[error("`{text}` does not give the printed `{printed}`")]
-    WrongExplanation {
-        /// As in the data.
-        text: String,
-        /// As printed.
-        printed: String,
-    },
-}
-
-impl JudgeError {
-    pub(super) fn formula(failure: Failure) -> Self {
-        JudgeError::Formula { failure }
-    }
-
-    pub(super) fn reading(error: ReadError) -> Self {
-        JudgeError::Reading(error)
-    }
 }
 
 /// Judges statements; a scene that several of them share is built once.

@@ -3,6 +3,7 @@
 //! Data flow one way: a statement from `data/papers` and its scene give a [`Judgement`]; nothing of
 //! a verdict is stored, and the `expected` one of the data is only compared with it.
 
+mod error;
 mod formula;
 mod judge;
 mod mutation;
@@ -12,7 +13,8 @@ mod printed;
 mod stage;
 mod verdict;
 
-pub use judge::{Judge, JudgeError, Options};
+pub use error::JudgeError;
+pub use judge::{Judge, Options};
 pub use mutation::MutantCounts;
 pub use paper::{
     Condition, Content, Example, Paper, PaperError, Statement, built_in, read_folder, read_paper,

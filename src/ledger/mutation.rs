@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use super::error::JudgeError;
 use super::formula::{FIRST_INSTANCES, MANY_INSTANCES, proved_for_all};
-use super::judge::JudgeError;
 use super::stage::Stage;
 use crate::formula::{Failure, Formula, Mutant, evaluate, mutants};
 

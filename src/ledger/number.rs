@@ -2,8 +2,8 @@
 
 use rug::Rational;
 
+use super::error::JudgeError;
 use super::formula::{Finding, decide};
-use super::judge::JudgeError;
 use super::paper::Text;
 use super::stage::Stage;
 use super::{Computed, Printed, Proof, Verdict};

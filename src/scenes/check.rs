@@ -1,6 +1,6 @@
 //! Checks: statements that are no formula, as named functions.
 
-use super::{Unbuilt, wunderlich1968};
+use super::Unbuilt;
 use crate::number::Truth;
 
 /// What a check rests on.
@@ -46,20 +46,4 @@ pub struct Check {
     pub summary: &'static str,
     /// Runs it.
     pub run: fn() -> Result<Report, Unbuilt>,
-}
-
-/// All checks, grouped by source.
-pub fn checks() -> &'static [Check] {
-    &[
-        wunderlich1968::keeps_lengths::CHECK,
-        wunderlich1968::order::CHECK,
-        wunderlich1968::foci::CHECK,
-        wunderlich1968::every_point::CHECK,
-        wunderlich1968::quadratics::CHECK,
-    ]
-}
-
-/// The check of this name.
-pub fn find_check(name: &str) -> Option<&'static Check> {
-    checks().iter().find(|check| check.name == name)
 }

@@ -9,9 +9,11 @@ pub mod check;
 mod filemon1973;
 pub mod free;
 mod registry;
+mod scene;
 mod tesar1964;
 mod wunderlich1968;
 
-pub use check::{Check, checks, find_check};
+pub use check::Check;
 pub use free::{Free, Unbuilt};
-pub use registry::{Scene, Symbol, find, scenes};
+pub use registry::{checks, find, find_check, scenes};
+pub use scene::{Scene, Symbol};

@@ -1,72 +1,8 @@
-//! The table of all scenes.
+//! The tables of all scenes and checks.
 
-use super::{Free, Unbuilt, filemon1973, tesar1964, wunderlich1968};
-use crate::formula::Bindings;
-use crate::number::poly::Fraction;
-use crate::number::{Ball, Surd};
-
-/// What a symbol of a scene means.
-#[derive(Clone, Copy, Debug)]
-pub struct Symbol {
-    /// As formulas write it.
-    pub name: &'static str,
-    /// Meaning, with unit and sign convention where there is one.
-    pub meaning: &'static str,
-}
-
-/// Builds a scene in one number kind.
-pub type Build<K> = fn(&mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt>;
-
-/// A scene in the number kinds in which statements are judged.
-#[derive(Clone, Copy, Debug)]
-pub struct Scene {
-    /// The name by which data refer to it.
-    pub name: &'static str,
-    /// What it shows and how it is built.
-    pub summary: &'static str,
-    /// The source file that holds it.
-    pub file: &'static str,
-    /// All symbols, in a sensible reading order.
-    pub symbols: &'static [Symbol],
-    /// With free symbols: for identities.
-    pub symbolic: Build<Fraction>,
-    /// With exact numbers: for decisions.
-    pub exact: Build<Surd>,
-    /// With enclosures: for certified values.
-    pub certified: Build<Ball>,
-    /// With floats: for comparison only.
-    pub float: Build<f64>,
-}
-
-/// Makes a [`Scene`] of a generic function. With `not symbolic: "why"` it is built with numbers only.
-macro_rules! scene {
-    ($name:literal, $summary:literal, $build:ident, [$($symbol:literal: $meaning:literal),* $(,)?]) => {
-        $crate::scenes::registry::scene!(@ $name, $summary, $build, $build, [$($symbol: $meaning),*])
-    };
-    (
-        $name:literal, $summary:literal, $build:ident, not symbolic: $why:literal,
-        [$($symbol:literal: $meaning:literal),* $(,)?]
-    ) => {
-        $crate::scenes::registry::scene!(
-            @ $name, $summary, $build,
-            |_| Err($crate::scenes::Unbuilt::NotHeld($why.to_owned())),
-            [$($symbol: $meaning),*]
-        )
-    };
-    (@ $name:literal, $summary:literal, $build:ident, $symbolic:expr, [$($symbol:literal: $meaning:literal),*]) => {
-        $crate::scenes::Scene {
-            name: $name,
-            summary: $summary,
-            file: file!(),
-            symbols: &[$($crate::scenes::Symbol { name: $symbol, meaning: $meaning }),*],
-            symbolic: $symbolic,
-            exact: $build,
-            certified: $build,
-            float: $build,
-        }
-    };
-}
-pub(super) use scene;
+use super::check::Check;
+use super::scene::Scene;
+use super::{filemon1973, tesar1964, wunderlich1968};
 
 /// All scenes, grouped by source.
 pub fn scenes() -> &'static [Scene] {
@@ -94,4 +30,20 @@ pub fn scenes() -> &'static [Scene] {
 /// The scene of this name.
 pub fn find(name: &str) -> Option<&'static Scene> {
     scenes().iter().find(|scene| scene.name == name)
+}
+
+/// All checks, grouped by source.
+pub fn checks() -> &'static [Check] {
+    &[
+        wunderlich1968::keeps_lengths::CHECK,
+        wunderlich1968::order::CHECK,
+        wunderlich1968::foci::CHECK,
+        wunderlich1968::every_point::CHECK,
+        wunderlich1968::quadratics::CHECK,
+    ]
+}
+
+/// The check of this name.
+pub fn find_check(name: &str) -> Option<&'static Check> {
+    checks().iter().find(|check| check.name == name)
 }

@@ -3,7 +3,7 @@
 use crate::formula::Bindings;
 use crate::number::{Number, Real};
 use crate::plane::{Point, relation};
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

@@ -4,7 +4,7 @@ use crate::formula::Bindings;
 use crate::linkage::focal_mechanism::{self, Joints};
 use crate::number::{Number, Real, Truth};
 use crate::plane::{Angle, Point, line, quadrilateral};
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

@@ -4,7 +4,7 @@ use super::position::Position;
 use crate::formula::Bindings;
 use crate::linkage::five_bar;
 use crate::number::Real;
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

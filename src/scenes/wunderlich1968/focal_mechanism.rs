@@ -8,7 +8,7 @@ use crate::linkage::{
 };
 use crate::number::Real;
 use crate::plane::relation;
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

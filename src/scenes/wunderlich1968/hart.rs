@@ -6,7 +6,7 @@ use crate::linkage::five_bar::Lengths;
 use crate::linkage::focal_mechanism;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, relation};
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

@@ -2,7 +2,7 @@
 
 use crate::formula::Bindings;
 use crate::number::Real;
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(

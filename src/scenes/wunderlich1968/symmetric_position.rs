@@ -5,7 +5,7 @@ use crate::linkage::five_bar::{self, Lengths};
 use crate::linkage::focal_mechanism;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point};
-use crate::scenes::registry::scene;
+use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(
