@@ -115,11 +115,11 @@ pub struct Example {
 
 /// What is wrong with a data file, and where.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{file}:{line}: {message}")]
+#[error("{file}{}: {message}", at_line(*line))]
 pub struct PaperError {
     /// The file.
     pub file: String,
-    /// The line, from 1.
+    /// The line, from 1; 0 where the file as a whole is meant.
     pub line: usize,
     /// What is wrong and what was expected.
     pub message: String,
@@ -510,4 +510,12 @@ fn shortened(text: &str) -> String {
     }
     let start: String = text.chars().take(MOST).collect();
     format!("{start}…")
+}
+
+fn at_line(line: usize) -> String {
+    if line == 0 {
+        String::new()
+    } else {
+        format!(":{line}")
+    }
 }
