@@ -3,10 +3,9 @@
 use serde_json::Value;
 
 use super::canvas::{Canvas, Joint, Point, Stroke, spread};
+use super::complex::{Z, point, z};
 use super::{contour, number};
-use crate::number::{Complex, Number};
-
-type Z = Number<Complex<f64>>;
+use crate::number::Number;
 
 /// A mechanism in numbers.
 struct Mechanism {
@@ -30,14 +29,6 @@ struct Position {
     a: Z,
     b: Z,
     t: Z,
-}
-
-fn z(x: f64, y: f64) -> Z {
-    Number::complex(Number(x), Number(y))
-}
-
-fn point(z: &Z) -> Point {
-    [z.re().0, z.im().0]
 }
 
 impl Mechanism {

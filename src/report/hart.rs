@@ -2,19 +2,10 @@
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, Joint, Point, Stroke, spread};
+use super::canvas::{Canvas, Joint, Stroke, spread};
+use super::complex::{Z, point, z};
 use super::number;
-use crate::number::{Complex, Number};
-
-type Z = Number<Complex<f64>>;
-
-fn z(x: f64, y: f64) -> Z {
-    Number::complex(Number(x), Number(y))
-}
-
-fn point(z: &Z) -> Point {
-    [z.re().0, z.im().0]
-}
+use crate::number::Number;
 
 /// The lengths, and the abscissa of the line.
 struct Mechanism {

@@ -1,6 +1,7 @@
 //! Pictures of answers.
 
 mod canvas;
+mod complex;
 mod contour;
 mod focal_mechanism;
 mod hart;

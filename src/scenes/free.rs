@@ -10,7 +10,7 @@ use thiserror::Error;
 use crate::formula::{Bindings, Formula, Value, evaluate_expression};
 use crate::number::poly::{Fraction, Ring};
 use crate::number::{Kind, Number, Real, Truth};
-use crate::plane::Angle;
+use crate::plane::{Angle, Point};
 
 /// A source of free parameters in one number kind.
 pub trait Free<K: Real> {
@@ -47,6 +47,14 @@ pub trait Free<K: Real> {
             Err(Unbuilt::NotHeld(format!("the square root that is {name}")))
         }
     }
+}
+
+/// Any point, by its two free coordinates.
+pub fn point<K: Real>(free: &mut dyn Free<K>, name: &str) -> Result<Point<K>, Unbuilt> {
+    Ok(Number::complex(
+        free.number(&format!("x of {name}"))?,
+        free.number(&format!("y of {name}"))?,
+    ))
 }
 
 /// Why a scene could not be built from what the source gave.

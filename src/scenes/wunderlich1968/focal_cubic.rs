@@ -3,6 +3,7 @@
 use crate::formula::Bindings;
 use crate::number::{Number, Real};
 use crate::plane::{Point, quadrilateral};
+use crate::scenes::free::point;
 use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
@@ -32,13 +33,6 @@ pub const PARALLELOGRAM: Scene = scene!(
         "order": "order of the curve, lines at infinity not counted",
     ]
 );
-
-fn point<K: Real>(free: &mut dyn Free<K>, name: &str) -> Result<Point<K>, Unbuilt> {
-    Ok(Number::complex(
-        free.number(&format!("x of {name}"))?,
-        free.number(&format!("y of {name}"))?,
-    ))
-}
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let d = free.length("d")?;

@@ -4,6 +4,7 @@
 use crate::formula::Bindings;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, line};
+use crate::scenes::free::point;
 use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
@@ -33,13 +34,6 @@ pub const QUADRILATERAL: Scene = scene!(
         "Y": "where the lines MN and AB meet",
     ]
 );
-
-fn point<K: Real>(free: &mut dyn Free<K>, name: &str) -> Result<Point<K>, Unbuilt> {
-    Ok(Number::complex(
-        free.number(&format!("x of {name}"))?,
-        free.number(&format!("y of {name}"))?,
-    ))
-}
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let d = free.length("d")?;
