@@ -43,6 +43,9 @@ fn example<K: Real>(precision: K::Precision) -> Bindings<K> {
     for (name, value) in [("x", 3), ("y", -2), ("a", 5), ("b", 12), ("o", 0)] {
         bindings.bind(name, number(value, 1));
     }
+    for (name, value) in [("p_1", 2), ("p_2", 3), ("p_3", 5), ("q_{1,2}'", 7)] {
+        bindings.bind(name, number(value, 1));
+    }
     // cos, sin: 3/5, 4/5; 4/5, 3/5; −3/5, 4/5; 0, 1; −1, 0.
     bindings.bind("alpha", angle(1, 2));
     bindings.bind("beta", angle(1, 3));
@@ -162,6 +165,57 @@ const CLAIMS: &[(&str, &str)] = &[
     (
         "j + k > 0 for j in [1, 2] for k in [o, x]",
         "j + k > 1 for j in [1, 2] for k in [o, x]",
+    ),
+    // running indices
+    ("p_k > 1 for k in {1, 2, 3}", "p_k > 2 for k in {1, 2, 3}"),
+    (
+        "p_k = k + 1 for k in {1, 2}",
+        "p_k = k + 1 for k in {1, 2, 3}",
+    ),
+    (
+        "p_k p_{k+1} p_{k+2} = 30 for k in [1, 2, 3]",
+        "p_k p_{k+1} = 6 for k in [1, 2]; p_{k+1} > p_k for k in [1, 2]",
+    ),
+    (
+        "p_{k-1} = p_{k+2} = p_{k+5} = p_{k-31} for k in [1, 2, 3]",
+        "p_{k-1} = p_{k+1} for k in [1, 2, 3]",
+    ),
+    (
+        "p_{k+1} = 8 - p_k for k in [3, 2]",
+        "p_{k+1} = 8 - p_k for k in [3, 1]",
+    ),
+    (
+        "q_{j,k}' = 7 for j in [1] for k in [2]; q_{1,j}' = 7 for j in {2}",
+        "q_{j,2}' = 8 for j in [1]",
+    ),
+    (
+        "p_k = 2 for k in [1] for k in [2]",
+        "p_k = 3 for k in [1] for k in [2]",
+    ),
+    // sums
+    (
+        "sum(p_k for k in [1, 2, 3]) = 10; sum(k for k in [x, y, x]) = 4",
+        "sum(p_k for k in [1, 2]) = 10",
+    ),
+    (
+        "sum(k p_k + 1 for k in [1, 2, 3]) = 26",
+        "sum(k p_k for k in [1, 2, 3]) = 26",
+    ),
+    (
+        "sum(p_k p_{k+1} for k in [1, 2, 3]) = sum(p_{k-1} p_k for k in [1, 2, 3]) = 31",
+        "sum(p_k p_{k+1} for k in [1, 2, 3]) = 32",
+    ),
+    (
+        "sum(sum(p_j p_k for j in [1, 2, 3]) for k in [1, 2, 3]) = 100",
+        "sum(sum(p_j for j in [1, 2, 3]) p_k for k in [1, 2, 3]) = 10",
+    ),
+    (
+        "p_k = sum(p_j for j in [1, 2]) for k in [3]; 2 sum(p_k for k in [1, 2]) + 1 = 11",
+        "sum(1 for k in [1, 1, 1]) = 1",
+    ),
+    (
+        "sum(x for k in []) = 0; sum(k z for k in [1, 2]) = 3 z; sum(alpha for k in [1, 2]) = 2 alpha",
+        "sum(k z for k in [1, 2]) = z",
     ),
     (
         "u + v = 8 where u = x + 2, v = u + x - 5",
@@ -410,6 +464,43 @@ const WRONG: &[(&str, &str, &str)] = &[
         "unknown symbol `k`",
     ),
     ("x = u where v = u", "u", "unknown symbol `u`"),
+    (
+        "p_{k+1} = 1 for k in [1, 9]",
+        "p_{k+1}",
+        "unknown symbol `p_9`",
+    ),
+    ("p_k = 1 for k in [x]", "p_k", "no whole numbers"),
+    ("p_k = 1 for k in {1.5}", "p_k", "no whole numbers"),
+    (
+        "p_k = p_{k+1} for k in {1, 2}",
+        "p_{k+1}",
+        "a set has no next member: write a list `[…]` for `k+1`",
+    ),
+    (
+        "p_{k+j} = 1 for k in [1, 2] for j in [1]",
+        "p_{k+j}",
+        "found `k+j`, expected a whole number after `k+`",
+    ),
+    (
+        "p_{k-} = 1 for k in [1, 2]",
+        "p_{k-}",
+        "expected a whole number after `k-`",
+    ),
+    (
+        "x = sum([x] for k in [1])",
+        "[x]",
+        "a list cannot be added up",
+    ),
+    (
+        "x = sum(p_j for k in [1, 2])",
+        "p_j",
+        "unknown symbol `p_j`",
+    ),
+    (
+        "x = sum(q for q in [x, alpha])",
+        "q",
+        "a number and an angle do not go together",
+    ),
     (
         "x + y",
         "x + y",
@@ -1062,7 +1153,9 @@ fn positive(formula: &Formula) -> bool {
 
 /// Any trees, also such as mean nothing.
 fn any_trees() -> impl Strategy<Value = Tree> {
-    let names = ["x", "y", "o", "alpha", "rho", "z", "A", "B", "unknown"];
+    let names = [
+        "x", "y", "o", "alpha", "rho", "z", "A", "B", "p_x", "p_{x+1}", "unknown",
+    ];
     let leaf = prop_oneof![
         6 => prop::sample::select(names.to_vec()).prop_map(symbol),
         2 => prop::sample::select(vec![0i64, 1, 2, 36, 256]).prop_map(literal),
@@ -1115,7 +1208,12 @@ fn any_trees() -> impl Strategy<Value = Tree> {
             1 => boxed.clone().prop_map(|inner| node(Node::Not(inner))),
             1 => (connectives.clone(), boxed.clone(), boxed.clone())
                 .prop_map(|(connective, left, right)| node(Node::Logic(connective, left, right))),
-            1 => (boxed.clone(), list).prop_map(|(body, values)| node(Node::For {
+            1 => (boxed.clone(), list.clone()).prop_map(|(body, values)| node(Node::For {
+                body,
+                name: "x".to_owned(),
+                values: Box::new(node(Node::List(values))),
+            })),
+            1 => (boxed.clone(), list).prop_map(|(body, values)| node(Node::Sum {
                 body,
                 name: "x".to_owned(),
                 values: Box::new(node(Node::List(values))),

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use burmester::formula::function::{Arity, Function};
 use burmester::formula::tree::{Connective, Node, Operator, Relation};
-use burmester::formula::{Formula, LENGTH_LIMIT, Tree, latex, mathml, mutants, read};
+use burmester::formula::{Formula, LENGTH_LIMIT, Tree, latex, mathml, mutants, normal_form, read};
 use proptest::prelude::*;
 
 fn readable(text: &str) -> Formula {
@@ -30,7 +30,7 @@ fn canonical(text: &str) -> String {
     set
 }
 
-const PAPERS: [&str; 15] = [
+const PAPERS: [&str; 16] = [
     "tan^2 alpha + (tan alpha_a + 3 tan alpha_d - N) tan alpha + (tan alpha_d - N)/tan alpha_a = 0",
     "a b/(m n + p q) = a/m = b/n = (a^2 + b^2 - c^2 + d^2)/(m^2 + n^2 - p^2 - q^2 + d^2) = lambda",
     "MS : NS = s : (s - d) = m p : -n q",
@@ -45,6 +45,7 @@ const PAPERS: [&str; 15] = [
     "x^-1 = -x^2 + a^b^c + 2.5e-7 - (-a) + sin alpha_a cos alpha_a + sin 2 alpha",
     "not a = b and c = d or e = f iff g = 1 if h = 2",
     "similar([A, B, C], [A', B', C'])",
+    "sum(y^3 n_k S_k - x^2 (m_{k+1} a_{k+2})/2 for k in [1, 2, 3]) = sin a sum(2 b for k in [1, 3]) c - 2 sum(-a for k in [4])",
     "1/2/(5 x) = (x/2)/(5 y) + x/(2/5 y) + (x y) (z (3)) + (2 deg) x 3",
 ];
 
@@ -195,6 +196,36 @@ fn mistakes_are_named_with_their_place() {
             "found `a`, expected a set `{…}` or a list `[…]` after `in`",
         ),
         (
+            "x = sum",
+            "",
+            "found the end of the formula, expected `(` after `sum`",
+        ),
+        (
+            "x = sum(a, b)",
+            ",",
+            "found `,`, expected `for` after the terms of a sum",
+        ),
+        (
+            "x = sum(a = b for k in [1])",
+            "=",
+            "found `=`, expected `for` after the terms of a sum",
+        ),
+        (
+            "x = sum(a_k for k in {1, 2})",
+            "{",
+            "found `{`, expected a list `[…]` after `in`",
+        ),
+        (
+            "x = sum(a for k in [1] b)",
+            "b",
+            "found `b`, expected an operator or `)`",
+        ),
+        (
+            "x = a where sum = b",
+            "sum",
+            "found `sum`, expected a name to define; this is a word of the language",
+        ),
+        (
             "x = 1 assume y = 2 where z = 3",
             "where",
             "`where` stands before `assume`",
@@ -231,6 +262,15 @@ fn mistakes_are_named_with_their_place() {
             error.render(text)
         );
     }
+}
+
+#[test]
+fn a_running_index_names_all_its_symbols() {
+    let formula = readable("x = sum(a_{k+1} y_j for k in [1, 2, 3]) for j in {4, 5}");
+    let names: Vec<String> = formula.symbols().into_iter().collect();
+    assert_eq!(names, ["a_1", "a_2", "a_3", "x", "y_4", "y_5"]);
+    let telescope = readable("sum(a_k - a_{k+1} for k in [1, 2, 3])");
+    assert_eq!(normal_form(&telescope).unwrap().to_string(), "0");
 }
 
 #[test]
@@ -357,6 +397,10 @@ fn latex_of_papers() {
             "sin(x) y = sin(a + b)^2 (1/2)^n 2.5e-7",
             r"\sin\left( x \right) \, y = \sin^{2} \left( a + b \right) \, \left( \frac{1}{2} \right)^{n} \, 2.5 \cdot 10^{-7}",
         ),
+        (
+            "sum(a_k b_{k+1} for k in [1, 2, 3]) = 2 sum(k - 1 for k in [2, 4])",
+            r"\sum_{k = 1}^{3} a_{k} \, b_{k+1} = 2 \, \left( \sum_{k \in \left[ 2, 4 \right]} \left( k - 1 \right) \right)",
+        ),
     ] {
         assert_eq!(latex(&readable(text)), expected);
     }
@@ -391,8 +435,8 @@ fn well_formed(xml: &str) {
             let (opened, children) = open.pop().expect("a tag is open");
             assert_eq!(opened, name, "{xml}");
             match name {
-                "msup" | "msub" | "mfrac" | "mover" => assert_eq!(children, 2, "{xml}"),
-                "msubsup" => assert_eq!(children, 3, "{xml}"),
+                "msup" | "msub" | "mfrac" | "mover" | "munder" => assert_eq!(children, 2, "{xml}"),
+                "msubsup" | "munderover" => assert_eq!(children, 3, "{xml}"),
                 _ => {}
             }
             continue;
@@ -462,6 +506,24 @@ fn each_kind_of_mutant_is_made() {
         ("x = y where y = a + b", "x = y where y = a - b"),
         ("angle(A, B, C) ≡ 0 mod pi", "angle(C, B, A) ≡ 0 mod pi"),
         ("x_k = a for k in {1, 2}", "a = a for k in {1, 2}"),
+        ("x_k = a for k in [1, 2]", "x_{k+1} = a for k in [1, 2]"),
+        ("x_k = y_{k-1} for k in [1, 2]", "x_k = y_k for k in [1, 2]"),
+        (
+            "x = sum(a_k b_{k+1} for k in [1, 2, 3])",
+            "x = sum(a_k b_{k+2} for k in [1, 2, 3])",
+        ),
+        (
+            "x = sum(a_k b_{k+1} for k in [1, 2, 3])",
+            "-x = sum(a_k b_{k+1} for k in [1, 2, 3])",
+        ),
+        (
+            "x = sum(a_k - b for k in [1, 2])",
+            "x = sum(a_k + b for k in [1, 2])",
+        ),
+        (
+            "x = sum(a_k for k in [1, 2])",
+            "x = sum(a_k for k in [1, 3])",
+        ),
         ("x = 0.099", "x = 0.100"),
         ("x = 9.9e-3", "x = 10.0e-3"),
     ] {
@@ -486,6 +548,7 @@ fn mutants_that_say_the_same_are_not_made() {
         ("x = a ± b", "x = a ∓ b"),
         ("x ≷ y", "x ≶ y"),
         ("x = y where x = a, y = b", "x = y where x = y, y = b"),
+        ("x = sum(a for k in [1, 2])", "x = sum(-a for k in [1, 2])"),
         ("x = y", "y = x"),
         ("collinear(A, B, C)", "collinear(B, A, C)"),
     ] {
@@ -523,7 +586,16 @@ fn boxed(tree: Tree) -> Box<Tree> {
 }
 
 fn leaves() -> impl Strategy<Value = Tree> {
-    let symbol = prop::sample::select(vec!["a", "b", "e", "mp", "alpha_a", "O_12'", "x_{a,b}''"]);
+    let symbol = prop::sample::select(vec![
+        "a",
+        "b",
+        "e",
+        "mp",
+        "alpha_a",
+        "O_12'",
+        "x_{a,b}''",
+        "x_{k+1}",
+    ]);
     let number = prop::sample::select(vec!["0", "2", "5", "17", "0.125", "2.5e-7"]);
     prop_oneof![
         symbol.prop_map(|name| tree(Node::Symbol(name.to_string()))),
@@ -593,7 +665,12 @@ fn trees() -> impl Strategy<Value = Tree> {
             1 => inner.clone().prop_map(|inner| tree(Node::Not(boxed(inner)))),
             1 => (connectives.clone(), inner.clone(), inner.clone())
                 .prop_map(|(connective, left, right)| tree(Node::Logic(connective, boxed(left), boxed(right)))),
-            1 => (inner, list).prop_map(|(body, values)| tree(Node::For {
+            1 => (inner.clone(), list.clone()).prop_map(|(body, values)| tree(Node::For {
+                body: boxed(body),
+                name: "k".to_string(),
+                values: boxed(tree(Node::List(values))),
+            })),
+            1 => (inner, list).prop_map(|(body, values)| tree(Node::Sum {
                 body: boxed(body),
                 name: "k".to_string(),
                 values: boxed(tree(Node::List(values))),
@@ -670,7 +747,7 @@ proptest! {
     }
 }
 
-const WORDS: [&str; 60] = [
+const WORDS: [&str; 61] = [
     "x",
     "x",
     "a",
@@ -721,6 +798,7 @@ const WORDS: [&str; 60] = [
     " or ",
     " not ",
     " for k in ",
+    " sum(",
     " where ",
     " assume ",
     "z̄",

@@ -135,6 +135,9 @@ fn contents(text: &mut String, statement: &Statement, judgement: &Judgement) {
         }
         Content::Check => say!(text, "  {:<10} {}", "claimed", statement.printed),
         Content::Garbled => say!(text, "  {:<10} {}", "verbatim", statement.printed),
+        Content::Cell { .. } | Content::Table(_) => {
+            say!(text, "  {:<10} {}", "printed", statement.printed);
+        }
     }
     if let Some(condition) = &statement.condition {
         formula_lines(text, "only if", &condition.text.formula);
@@ -268,6 +271,15 @@ fn scene(text: &mut String, statement: &Statement) {
             style::folded(check.summary, 84, 13)
         );
     }
+    if let Content::Cell { table, .. } | Content::Table(table) = &statement.content {
+        say!(text, "  {:<10} {}", "table", table.code.name);
+        say!(
+            text,
+            "  {:<10} {}",
+            "",
+            style::folded(table.code.summary, 84, 13)
+        );
+    }
     let used = used_symbols(statement);
     let symbols = || {
         scene
@@ -291,7 +303,7 @@ fn used_symbols(statement: &Statement) -> Vec<String> {
     let printed = match &statement.content {
         Content::Formula(printed) => Some(&printed.formula),
         Content::Value { quantity, .. } => Some(&quantity.formula),
-        Content::Check | Content::Garbled => None,
+        Content::Check | Content::Garbled | Content::Cell { .. } | Content::Table(_) => None,
     };
     printed
         .into_iter()

@@ -9,6 +9,7 @@ use thiserror::Error;
 use super::compare::{self, Signs};
 use super::function::Function;
 use super::operate;
+use super::running::{self, Running};
 use super::tree::{Connective, Formula, Node, Operator, Relation, Span, Tree};
 use super::value::Value;
 use crate::number::{Number, Real, Truth};
@@ -134,6 +135,7 @@ pub fn evaluate_expression<K: Real>(
 pub(super) struct Scope<'a, K: Real> {
     bindings: &'a Bindings<K>,
     locals: Vec<(String, Value<K>)>,
+    running: Vec<Running>,
     signs: Signs,
 }
 
@@ -142,6 +144,7 @@ impl<'a, K: Real> Scope<'a, K> {
         Scope {
             bindings,
             locals: Vec::new(),
+            running: Vec::new(),
             signs: Signs::default(),
         }
     }
@@ -216,17 +219,46 @@ impl<'a, K: Real> Scope<'a, K> {
     }
 
     fn for_each(&mut self, body: &Tree, name: &str, values: &Tree) -> Result<Truth, Failure> {
+        let claims = self.at_each(name, values, |scope| scope.claim(body))?;
+        Ok(Truth::all(claims))
+    }
+
+    /// What a part says for each of the values of a bound name.
+    fn at_each<T>(
+        &mut self,
+        name: &str,
+        values: &Tree,
+        mut part: impl FnMut(&mut Self) -> Result<T, Failure>,
+    ) -> Result<Vec<T>, Failure> {
         let (Value::List(members) | Value::Set(members)) = self.value(values)? else {
             return Err(Failure::wrong("a list or set was expected here", values));
         };
-        let mut truth = Truth::Yes;
-        for member in members {
+        let mut found = Vec::new();
+        let places = running::places(name, values, members.len());
+        for (member, place) in members.into_iter().zip(places) {
             self.locals.push((name.to_owned(), member));
-            let claim = self.claim(body);
+            self.running.push(place);
+            let one = part(self);
+            self.running.pop();
             self.locals.pop();
-            truth = truth & claim?;
+            found.push(one?);
         }
-        Ok(truth)
+        Ok(found)
+    }
+
+    fn sum(&mut self, body: &Tree, name: &str, values: &Tree) -> Result<Value<K>, Failure> {
+        let terms = self.at_each(name, values, |scope| scope.value(body))?;
+        let sum = terms.into_iter().try_fold(None, |sum, term| match sum {
+            None if term.has_sum() => Ok(Some(term)),
+            None => Err(Failure::wrong(
+                format!("{} cannot be added up", term.kind_name()),
+                body,
+            )),
+            Some(sum) => {
+                operate::binary(Operator::Add, sum, term, self.precision(), body).map(Some)
+            }
+        })?;
+        Ok(sum.unwrap_or_else(|| Value::Number(Number::zero())))
     }
 
     fn values(&mut self, trees: &[Tree]) -> Result<Vec<Value<K>>, Failure> {
@@ -280,6 +312,7 @@ impl<'a, K: Real> Scope<'a, K> {
             Node::Call(function, arguments) => self.call(*function, arguments, tree),
             Node::List(members) => Ok(Value::List(self.values(members)?)),
             Node::Set(members) => Ok(Value::Set(self.values(members)?)),
+            Node::Sum { body, name, values } => self.sum(body, name, values),
             Node::Ratio(_) => Err(Failure::wrong(
                 "a ratio stands only on a side of an equation",
                 tree,
@@ -290,11 +323,13 @@ impl<'a, K: Real> Scope<'a, K> {
         }
     }
 
-    fn symbol(&self, name: &str, tree: &Tree) -> Result<Value<K>, Failure> {
-        let local = self.locals.iter().rev().find(|(local, _)| local == name);
+    fn symbol(&self, written: &str, tree: &Tree) -> Result<Value<K>, Failure> {
+        let name = running::resolved(written, &self.running)
+            .map_err(|message| Failure::wrong(message, tree))?;
+        let local = self.locals.iter().rev().find(|(local, _)| *local == name);
         match local
             .map(|(_, value)| value)
-            .or_else(|| self.bindings.get(name))
+            .or_else(|| self.bindings.get(&name))
         {
             Some(value) => Ok(value.clone()),
             None => {

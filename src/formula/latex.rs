@@ -145,6 +145,13 @@ impl Style for Latex {
         )
     }
 
+    fn sum(&self, body: &str, name: &str, values: &str, bounds: Option<(&str, &str)>) -> String {
+        match bounds {
+            Some((first, last)) => format!("\\sum_{{{name} = {first}}}^{{{last}}} {body}"),
+            None => format!("\\sum_{{{name} \\in {values}}} {body}"),
+        }
+    }
+
     fn ratio(&self, parts: &[String]) -> String {
         parts.join(" : ")
     }

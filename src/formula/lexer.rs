@@ -2,6 +2,7 @@
 
 use super::error::ReadError;
 use super::greek;
+use super::symbol;
 use super::tree::Span;
 
 /// The longest number that is read, in digits.
@@ -421,19 +422,10 @@ impl Lexer<'_> {
 
 impl Name {
     fn token(self) -> Token {
-        let mut name = self.stem;
-        if let Some(index) = self.index {
-            name.push('_');
-            if index
-                .chars()
-                .all(|character| character.is_ascii_alphanumeric())
-            {
-                name.push_str(&index);
-            } else {
-                name.push_str(&format!("{{{index}}}"));
-            }
-        }
-        name.push_str(&"'".repeat(self.primes));
+        let name = match self.index {
+            Some(index) => symbol::with_index(&self.stem, &index, self.primes),
+            None => self.stem + &"'".repeat(self.primes),
+        };
         Token::Name {
             name,
             barred: self.barred,

@@ -178,6 +178,22 @@ impl Style for MathMl {
         ))
     }
 
+    fn sum(&self, body: &str, name: &str, values: &str, bounds: Option<(&str, &str)>) -> String {
+        let sign = operator("∑");
+        let sign = match bounds {
+            Some((first, last)) => format!(
+                "<munderover>{sign}{}{}</munderover>",
+                row(&format!("{name}{}{}", operator("="), element("mn", first))),
+                element("mn", last)
+            ),
+            None => format!(
+                "<munder>{sign}{}</munder>",
+                row(&format!("{name}{}{values}", operator("∈")))
+            ),
+        };
+        format!("{sign}{body}")
+    }
+
     fn ratio(&self, parts: &[String]) -> String {
         parts.join(&operator(":"))
     }

@@ -14,6 +14,7 @@ mod mutant;
 mod normal_form;
 mod operate;
 mod reader;
+mod running;
 mod setting;
 mod symbol;
 mod text;

@@ -7,6 +7,7 @@ use rug::{Integer, Rational};
 
 use super::function::Function;
 use super::reader::exact_value;
+use super::running;
 use super::tree::{Connective, Formula, Node, Operator, Relation, Span, Tree};
 
 /// A formula that differs from another in one place.
@@ -201,6 +202,7 @@ impl<'a> Maker<'a> {
             .iter()
             .map(|other| other.to_string())
             .chain(scope.iter().cloned())
+            .chain(running::shifted(name, scope))
             .filter(|other| stem(other) == stem(name));
         for other in relatives.filter(|other| other != name) {
             let what = format!("index of `{name}` exchanged: `{other}`");
@@ -389,6 +391,8 @@ fn places_below(tree: &Tree, place: Place) -> Vec<Place> {
             }
         }],
         Node::Ratio(_) => vec![term; count],
+        // The sign of all terms is that of the sum.
+        Node::Sum { .. } => vec![factor, closed],
         Node::Chain { first, rest, .. } => {
             let mut places = vec![term; count];
             if let [(relation, right)] = rest.as_slice() {
@@ -449,7 +453,7 @@ fn takes_numbers(function: Function) -> bool {
 /// The symbols that mean something in a child: a bound name only in what it is bound in.
 fn scope_below(tree: &Tree, child: usize, scope: &[String]) -> Vec<String> {
     let mut scope = scope.to_vec();
-    if let Node::For { name, .. } = &tree.node
+    if let Node::For { name, .. } | Node::Sum { name, .. } = &tree.node
         && child == 0
         && !scope.contains(name)
     {
@@ -463,7 +467,7 @@ fn free_symbols(tree: &Tree, bound: &mut Vec<String>, symbols: &mut Vec<String>)
         Node::Symbol(name) if !bound.contains(name) && !symbols.contains(name) => {
             symbols.push(name.clone());
         }
-        Node::For { body, name, values } => {
+        Node::For { body, name, values } | Node::Sum { body, name, values } => {
             free_symbols(values, bound, symbols);
             bound.push(name.clone());
             free_symbols(body, bound, symbols);
@@ -776,6 +780,9 @@ fn normal(tree: &Tree) -> String {
         }
         Node::For { body, name, values } => {
             format!("(for{name},{},{})", normal(body), normal(values))
+        }
+        Node::Sum { body, name, values } => {
+            format!("(sum{name},{},{})", normal(body), normal(values))
         }
     }
 }

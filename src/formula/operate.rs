@@ -9,6 +9,7 @@ use super::function::Function;
 use super::tree::{Operator, Tree};
 use super::value::Value;
 use crate::number::{Kind, Number, Real, Truth};
+use crate::plane::projective::{Line, ProjectivePoint};
 use crate::plane::{Angle, Point, relation};
 
 type Result<K> = std::result::Result<Value<K>, Failure>;
@@ -253,10 +254,10 @@ pub(super) fn predicate<K: Real>(
             ))
         }
         (Function::Perpendicular, [Value::Line(a), Value::Line(b)]) => {
-            Ok((&a[0] * &b[0] + &a[1] * &b[1]).is_zero())
+            Ok(projective_line(a).is_perpendicular_to(&projective_line(b)))
         }
         (Function::Parallel, [Value::Line(a), Value::Line(b)]) => {
-            Ok((&a[0] * &b[1] - &a[1] * &b[0]).is_zero())
+            Ok(projective_line(a).is_parallel_to(&projective_line(b)))
         }
         (Function::Similar, [a, b]) => Ok(relation::similar(&points(a)?, &points(b)?)),
         _ => Err(Failure::wrong(
@@ -275,21 +276,21 @@ fn as_point<K: Kind>(value: &Value<K>, tree: &Tree) -> std::result::Result<Point
     })
 }
 
-/// The line through two points: Im((B − A)‾ (z − A)) = 0.
+/// The line through two points.
 fn line<K: Kind>(a: &Point<K>, b: &Point<K>) -> [Number<K>; 3] {
-    let direction = b - a;
-    let (normal_x, normal_y) = (-direction.im(), direction.re().clone());
-    let constant = -(&normal_x * a.re() + &normal_y * a.im());
-    [normal_x, normal_y, constant]
+    let [a, b] = [a, b].map(ProjectivePoint::from_finite);
+    Line::through(&a, &b).coefficients().clone()
+}
+
+fn projective_line<K: Kind>([a, b, c]: &[Number<K>; 3]) -> Line<K> {
+    Line::new(a.clone(), b.clone(), c.clone())
 }
 
 /// Where two lines meet; no value for parallel ones.
-fn meet<K: Kind>([a, b, c]: &[Number<K>; 3], [a1, b1, c1]: &[Number<K>; 3]) -> Point<K> {
-    let determinant = a * b1 - a1 * b;
-    Number::complex(
-        (b * c1 - b1 * c) / &determinant,
-        (c * a1 - c1 * a) / &determinant,
-    )
+fn meet<K: Kind>(first: &[Number<K>; 3], second: &[Number<K>; 3]) -> Point<K> {
+    let meet = projective_line(first).meet(&projective_line(second));
+    let [x, y, w] = meet.coordinates();
+    Number::complex(x / w, y / w)
 }
 
 /// The arguments of a call, asked for by place and type.

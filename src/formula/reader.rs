@@ -27,6 +27,9 @@ const KEYWORDS: [&str; 11] = [
     "for", "in", "iff", "if", "or", "and", "not", "mod", "where", "assume", "deg",
 ];
 
+/// The word before the terms of a sum.
+const SUM: &str = "sum";
+
 /// Reads a formula.
 pub fn read(text: &str) -> Result<Formula, ReadError> {
     if text.len() > LENGTH_LIMIT {
@@ -49,7 +52,9 @@ pub fn read(text: &str) -> Result<Formula, ReadError> {
 
 /// Whether a canonical name may stand for a quantity: it is no word of the language.
 pub(super) fn is_free_name(name: &str) -> bool {
-    !KEYWORDS.contains(&name) && !matches!(name, "i" | "pi") && Function::named(name).is_none()
+    !KEYWORDS.contains(&name)
+        && !matches!(name, "i" | "pi" | SUM)
+        && Function::named(name).is_none()
 }
 
 /// A tree while it grows, with the number of its levels.
@@ -490,11 +495,7 @@ impl Reader {
     }
 
     fn for_each(&mut self, body: Part) -> Result<Part, ReadError> {
-        self.advance();
-        let name = self.free_name("a name after `for`")?;
-        if !self.take_keyword("in") {
-            return Err(self.expected(&format!("`in` after `for {name}`")));
-        }
+        let name = self.bound_name()?;
         if !self.is_sign("{") && !self.is_sign("[") {
             return Err(self.expected("a set `{…}` or a list `[…]` after `in`"));
         }
@@ -507,6 +508,16 @@ impl Reader {
             values: Box::new(values.tree),
         };
         self.node(node, span, depth)
+    }
+
+    /// `for k in`
+    fn bound_name(&mut self) -> Result<String, ReadError> {
+        self.advance();
+        let name = self.free_name("a name after `for`")?;
+        if !self.take_keyword("in") {
+            return Err(self.expected(&format!("`in` after `for {name}`")));
+        }
+        Ok(name)
     }
 }
 
@@ -730,6 +741,9 @@ impl Reader {
             return self.call(function, span);
         }
         self.advance();
+        if name == SUM {
+            return self.sum(span.start);
+        }
         let node = match name {
             "i" => Node::ImaginaryUnit,
             "pi" => Node::Pi,
@@ -745,6 +759,33 @@ impl Reader {
             );
         }
         Ok(part)
+    }
+
+    /// After `sum`. Its members may be equal, which those of a set are not.
+    fn sum(&mut self, start: usize) -> Result<Part, ReadError> {
+        let open = self.span();
+        if !self.take_sign("(") {
+            return Err(self.expected(&format!("`(` after `{SUM}`")));
+        }
+        let bars = std::mem::take(&mut self.bars);
+        let body = self.parse(Level::Sum)?;
+        if !self.is_keyword("for") {
+            return Err(self.expected("`for` after the terms of a sum"));
+        }
+        let name = self.bound_name()?;
+        if !self.is_sign("[") {
+            return Err(self.expected("a list `[…]` after `in`"));
+        }
+        let values = self.parse(Level::Atom)?;
+        self.close(")", &open)?;
+        self.bars = bars;
+        let depth = body.depth.max(values.depth);
+        let node = Node::Sum {
+            body: Box::new(body.tree),
+            name,
+            values: Box::new(values.tree),
+        };
+        self.node(node, start..self.end(), depth)
     }
 
     /// `foo(x, y)` where `foo` is no function: say so, before `,` becomes the complaint.
@@ -859,9 +900,9 @@ impl Reader {
         )
     }
 
-    /// Whether the name of a function stands here.
+    /// Whether the name of a function, or a sum, stands here.
     fn starts_call(&self) -> bool {
-        matches!(self.token(), Token::Name { name, .. } if Function::named(name).is_some())
+        matches!(self.token(), Token::Name { name, .. } if name == SUM || Function::named(name).is_some())
     }
 
     /// Whether a number or a symbol stands here.

@@ -3,6 +3,7 @@
 use super::cis;
 use super::function::Function;
 use super::level::Level;
+use super::running;
 use super::tree::{Formula, Node, Operator, Relation, Tree};
 
 /// What one style of setting makes of the constructs, the parts being set already.
@@ -35,6 +36,9 @@ pub(super) trait Style {
     fn bare_call(&self, function: Function, exponent: Option<&str>, argument: &str) -> String;
     /// Parts between brackets.
     fn fenced(&self, open: &str, parts: &[String], close: &str) -> String;
+    /// `sum(x for k in […])`; where k runs through consecutive whole numbers, the first and the last
+    /// of them.
+    fn sum(&self, body: &str, name: &str, values: &str, bounds: Option<(&str, &str)>) -> String;
     /// `a : b`
     fn ratio(&self, parts: &[String]) -> String;
     /// The sign of a relation, with its space.
@@ -97,6 +101,9 @@ fn level<S: Style>(tree: &Tree) -> Level {
         Node::Call(..) if S::SHAPED && trigonometric(tree).is_some() => Level::Power,
         Node::Call(..) => Level::Atom,
         Node::Negative(_) => Level::Negative,
+        // What follows the sign of a sum could be taken for a part of it.
+        Node::Sum { .. } if S::SHAPED => Level::Negative,
+        Node::Sum { .. } => Level::Atom,
         Node::Degrees(_) => Level::Juxtaposition,
         // A fraction with its bar is a factor like others.
         Node::Binary(Operator::Div, ..) if S::SHAPED => Level::Power,
@@ -148,7 +155,22 @@ fn bare<S: Style>(style: &S, whole: &Tree) -> String {
             tree(style, values, Level::Atom),
         ]
         .concat(),
+        Node::Sum { body, name, values } => sum(style, body, name, values),
     }
+}
+
+fn sum<S: Style>(style: &S, body: &Tree, name: &str, values: &Tree) -> String {
+    let context = if S::SHAPED {
+        Level::Product
+    } else {
+        Level::Sum
+    };
+    style.sum(
+        &tree(style, body, context),
+        &style.symbol(name),
+        &tree(style, values, Level::Atom),
+        running::bounds(values),
+    )
 }
 
 fn each<S: Style>(style: &S, parts: &[Tree], context: Level) -> Vec<String> {

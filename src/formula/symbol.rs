@@ -32,3 +32,16 @@ pub(super) fn parts(name: &str) -> Parts<'_> {
         },
     }
 }
+
+/// The name of this stem, index and so many primes, without needless braces.
+pub(super) fn with_index(stem: &str, index: &str, primes: usize) -> String {
+    let primes = "'".repeat(primes);
+    let plain = index
+        .chars()
+        .all(|character| character.is_ascii_alphanumeric());
+    if plain {
+        format!("{stem}_{index}{primes}")
+    } else {
+        format!("{stem}_{{{index}}}{primes}")
+    }
+}

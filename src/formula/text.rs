@@ -84,6 +84,10 @@ impl Style for Text {
         format!("{open}{}{close}", parts.join(", "))
     }
 
+    fn sum(&self, body: &str, name: &str, values: &str, _: Option<(&str, &str)>) -> String {
+        format!("sum({body} for {name} in {values})")
+    }
+
     fn ratio(&self, parts: &[String]) -> String {
         parts.join(" : ")
     }

@@ -6,6 +6,7 @@ use std::ops::Range;
 use rug::Rational;
 
 use super::function::Function;
+use super::running::{self, Running};
 
 /// A place in the text of a formula, in bytes.
 pub type Span = Range<usize>;
@@ -54,7 +55,7 @@ impl Tree {
                 .chain(rest.iter().map(|(_, side)| side))
                 .chain(modulus.as_deref())
                 .collect(),
-            Node::For { body, values, .. } => vec![body, values],
+            Node::For { body, values, .. } | Node::Sum { body, values, .. } => vec![body, values],
         }
     }
 
@@ -75,7 +76,7 @@ impl Tree {
                 .chain(rest.iter_mut().map(|(_, side)| side))
                 .chain(modulus.as_deref_mut())
                 .collect(),
-            Node::For { body, values, .. } => vec![body, values],
+            Node::For { body, values, .. } | Node::Sum { body, values, .. } => vec![body, values],
         }
     }
 }
@@ -86,18 +87,30 @@ impl Tree {
         is_so(&self.node) || self.children().into_iter().any(|child| child.any(is_so))
     }
 
-    fn collect_symbols(&self, symbols: &mut BTreeSet<String>) {
-        if let Node::Symbol(name) = &self.node {
-            symbols.insert(name.clone());
-        }
-        for child in self.children() {
-            child.collect_symbols(symbols);
+    fn collect_symbols(&self, running: &mut Vec<Running>, symbols: &mut BTreeSet<String>) {
+        match &self.node {
+            Node::Symbol(name) => {
+                symbols.insert(running::resolved(name, running).unwrap_or_else(|_| name.clone()));
+            }
+            Node::For { body, name, values } | Node::Sum { body, name, values } => {
+                values.collect_symbols(running, symbols);
+                for place in running::places(name, values, values.children().len()) {
+                    running.push(place);
+                    body.collect_symbols(running, symbols);
+                    running.pop();
+                }
+            }
+            _ => {
+                for child in self.children() {
+                    child.collect_symbols(running, symbols);
+                }
+            }
         }
     }
 }
 
 impl Formula {
-    /// All names in it, those that it defines itself included.
+    /// All names in it, those that it defines itself included; a running index in all its values.
     pub fn symbols(&self) -> BTreeSet<String> {
         let mut symbols = BTreeSet::new();
         let definitions = self.definitions.iter().map(|(_, expression)| expression);
@@ -107,7 +120,7 @@ impl Formula {
             .chain(definitions)
             .chain(&self.assumptions)
         {
-            tree.collect_symbols(&mut symbols);
+            tree.collect_symbols(&mut Vec::new(), &mut symbols);
         }
         symbols
     }
@@ -169,6 +182,15 @@ pub enum Node {
         /// The bound name.
         name: String,
         /// A list or set.
+        values: Box<Tree>,
+    },
+    /// `sum(x for k in […])`.
+    Sum {
+        /// What is added up.
+        body: Box<Tree>,
+        /// The bound name.
+        name: String,
+        /// A list.
         values: Box<Tree>,
     },
 }

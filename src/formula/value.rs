@@ -63,6 +63,14 @@ impl<K: Kind> Value<K> {
         }
     }
 
+    /// Whether values of this kind can be added.
+    pub fn has_sum(&self) -> bool {
+        matches!(
+            self,
+            Value::Number(_) | Value::Point(_) | Value::Angle(_) | Value::Turn(_)
+        )
+    }
+
     /// As a complex number, where it is one.
     pub fn to_point(&self) -> Option<Point<K>> {
         match self {

@@ -20,6 +20,14 @@ pub enum JudgeError {
     /// The scene could not be built.
     #[error("scene: {0}")]
     Scene(#[from] Unbuilt),
+    /// A table in the data has a cell that its code does not compute.
+    #[error("the table `{table}` has no cell {place}")]
+    NoCell {
+        /// Its name.
+        table: &'static str,
+        /// Part, row and column.
+        place: String,
+    },
     /// A correction in the data does not hold itself.
     #[error("the correction `{text}` does not hold: {why}")]
     WrongCorrection {

@@ -8,6 +8,7 @@ use super::mutation::try_mutants;
 use super::number::{ValueFinding, compare_decimal, compare_expression, evaluate_quantity, shown};
 use super::paper::{Condition, Content, Statement, Text};
 use super::stage::Stage;
+use super::table::Tables;
 use super::{Computed, Judgement, Kind, Printed, Proof, Verdict};
 
 use crate::number::Truth;
@@ -27,6 +28,7 @@ pub struct Options {
 pub struct Judge {
     options: Options,
     stages: HashMap<(&'static str, Option<String>), Stage>,
+    tables: Tables,
 }
 
 impl Judge {
@@ -35,6 +37,7 @@ impl Judge {
         Judge {
             options,
             stages: HashMap::new(),
+            tables: Tables::default(),
         }
     }
 
@@ -49,13 +52,14 @@ impl Judge {
             .stages
             .entry(key)
             .or_insert_with(|| Stage::new(statement.scene, example.cloned()));
-        judge_on(statement, stage, &self.options)
+        judge_on(statement, stage, &mut self.tables, &self.options)
     }
 }
 
 fn judge_on(
     statement: &Statement,
     stage: &mut Stage,
+    tables: &mut Tables,
     options: &Options,
 ) -> Result<Judgement, JudgeError> {
     let mut judgement = match &statement.content {
@@ -64,8 +68,12 @@ fn judge_on(
             quantity,
             explained_by,
         } => judge_value(statement, quantity, explained_by.as_ref(), stage, options)?,
-        Content::Check => bare(Verdict::Holds, Proof::Identity),
+        Content::Check => Judgement::bare(Verdict::Holds, Proof::Identity),
         Content::Garbled => judge_garbled(statement, stage, options)?,
+        Content::Cell { table, row, column } => {
+            tables.judge_cell(table, row, column, &statement.printed)?
+        }
+        Content::Table(table) => tables.judge_whole(table)?,
     };
     run_checks(statement, &mut judgement)?;
     if let (Content::Check, Verdict::Fails, Some(correct)) =
@@ -78,20 +86,6 @@ fn judge_on(
         .evidence
         .insert(0, format!("scene {}", statement.scene.name));
     Ok(judgement)
-}
-
-fn bare(verdict: Verdict, proof: Proof) -> Judgement {
-    Judgement {
-        verdict,
-        proof,
-        computed: None,
-        corrected: None,
-        instances: None,
-        counterexample: Vec::new(),
-        mutants: None,
-        evidence: Vec::new(),
-        findings: Vec::new(),
-    }
 }
 
 fn judge_formula(
@@ -161,7 +155,7 @@ fn judge_garbled(
     stage: &mut Stage,
     options: &Options,
 ) -> Result<Judgement, JudgeError> {
-    let mut judgement = bare(Verdict::Fails, Proof::Exact);
+    let mut judgement = Judgement::bare(Verdict::Fails, Proof::Exact);
     judgement
         .findings
         .push("the line cannot be read; it is stored verbatim".to_owned());
@@ -180,18 +174,18 @@ fn judgement_of(finding: Finding) -> Judgement {
     match finding {
         Finding::Holds { proof, instances } => Judgement {
             instances,
-            ..bare(Verdict::Holds, proof)
+            ..Judgement::bare(Verdict::Holds, proof)
         },
         Finding::Fails {
             proof,
             counterexample,
         } => Judgement {
             counterexample,
-            ..bare(Verdict::Fails, proof)
+            ..Judgement::bare(Verdict::Fails, proof)
         },
         Finding::Undecided(why) => Judgement {
             findings: vec![why],
-            ..bare(Verdict::Unclear, Proof::Numeric)
+            ..Judgement::bare(Verdict::Unclear, Proof::Numeric)
         },
     }
 }
@@ -222,7 +216,7 @@ fn judge_value(
             } = compare_decimal(&printed, quantity, stage)?;
             let mut judgement = Judgement {
                 corrected,
-                ..bare(verdict, proof)
+                ..Judgement::bare(verdict, proof)
             };
             if let Some(explanation) = explained_by {
                 explain(explanation, &printed, statement, stage, &mut judgement)?;
@@ -331,6 +325,7 @@ fn run_checks(statement: &Statement, judgement: &mut Judgement) -> Result<(), Ju
         if matches!(statement.content, Content::Check) || proves_more && report.holds.is_yes() {
             (judgement.proof, judgement.instances) = match report.basis {
                 Basis::Identity => (Proof::Identity, None),
+                Basis::Exact => (Proof::Exact, None),
                 Basis::Instances => (Proof::Instances, Some(report.instances)),
             };
         }

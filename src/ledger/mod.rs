@@ -10,7 +10,9 @@ mod mutation;
 mod number;
 mod paper;
 mod printed;
+mod raw_table;
 mod stage;
+mod table;
 mod verdict;
 
 pub use error::JudgeError;
@@ -20,4 +22,5 @@ pub use paper::{
     Condition, Content, Example, Paper, PaperError, Statement, built_in, read_folder, read_paper,
 };
 pub use printed::Printed;
+pub use table::{PrintedRow, PrintedTable};
 pub use verdict::{Cause, Computed, Judgement, Kind, Proof, Verdict};

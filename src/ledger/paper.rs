@@ -2,11 +2,14 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
+use std::rc::Rc;
 
 use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
+use super::raw_table::RawTable;
+use super::table::PrintedTable;
 use super::{Cause, Kind, Verdict};
 use crate::formula::{Formula, read};
 use crate::scenes::{self, Scene};
@@ -93,6 +96,17 @@ pub enum Content {
     Check,
     /// A line that the scan garbled beyond reading; it rests on its right form.
     Garbled,
+    /// A cell of a table.
+    Cell {
+        /// The table.
+        table: Rc<PrintedTable>,
+        /// The name of its row.
+        row: String,
+        /// The name of its column.
+        column: String,
+    },
+    /// All cells of a table as one statement.
+    Table(Rc<PrintedTable>),
 }
 
 /// Under what a line holds that the text does not state.
@@ -133,6 +147,8 @@ struct RawPaper {
     example: BTreeMap<String, Spanned<RawExample>>,
     #[serde(default)]
     statement: Vec<Spanned<RawStatement>>,
+    #[serde(default)]
+    table: Vec<Spanned<RawTable>>,
 }
 
 #[derive(Deserialize)]
@@ -240,11 +256,23 @@ pub fn read_paper(file: &str, text: &str) -> Result<Paper, PaperError> {
         let place = error.span().map_or(0, |span| span.start);
         reader.error(place, one_line(error.message()))
     })?;
-    let mut statements = Vec::new();
-    let mut seen = HashSet::new();
+    let mut in_order = Vec::new();
     for statement in raw.statement {
         let place = statement.span().start;
-        let statement = reader.statement(statement.into_inner(), place, &raw.example)?;
+        in_order.push((
+            place,
+            reader.statement(statement.into_inner(), place, &raw.example)?,
+        ));
+    }
+    for table in raw.table {
+        let place = table.span().start;
+        let cells = reader.table(&table.into_inner(), place)?;
+        in_order.extend(cells.into_iter().map(|cell| (place, cell)));
+    }
+    in_order.sort_by_key(|(place, _)| *place);
+    let mut statements = Vec::new();
+    let mut seen = HashSet::new();
+    for (place, statement) in in_order {
         if statement.id.split_once('/').map(|(key, _)| key) != Some(&raw.source.key) {
             return Err(reader.error(
                 place,
@@ -378,6 +406,12 @@ impl Reader<'_> {
         })
     }
 
+    fn table(&self, raw: &RawTable, place: usize) -> Result<Vec<Statement>, PaperError> {
+        let scene = self.scene(place, &raw.scene)?;
+        raw.statements(scene, (self.file, self.line(place)))
+            .map_err(|message| self.error(place, format!("{}: {message}", raw.id)))
+    }
+
     fn statement(
         &self,
         raw: RawStatement,
@@ -494,7 +528,7 @@ impl Reader<'_> {
     }
 }
 
-fn listed(names: &[&str]) -> String {
+pub(super) fn listed(names: &[&str]) -> String {
     if names.is_empty() {
         "none".to_owned()
     } else {

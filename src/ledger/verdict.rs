@@ -110,6 +110,8 @@ pub enum Computed {
     },
     /// Nothing is known of it.
     Unknown,
+    /// What stands in a cell, or in all cells, of a table.
+    Text(String),
     /// The true number lies within `radius` of `value`.
     Enclosure {
         /// A decimal.
@@ -124,6 +126,7 @@ impl fmt::Display for Computed {
         match self {
             Computed::Exact { exact } => f.write_str(exact),
             Computed::Unknown => f.write_str("unknown"),
+            Computed::Text(text) => f.write_str(text),
             Computed::Enclosure { value, radius } => write!(f, "{value} ± {radius}"),
         }
     }
@@ -150,6 +153,22 @@ pub struct Judgement {
     pub evidence: Vec<String>,
     /// What was found beside the verdict: what explains a wrong print, what was tried in vain.
     pub findings: Vec<String>,
+}
+
+impl Judgement {
+    pub(super) fn bare(verdict: Verdict, proof: Proof) -> Self {
+        Judgement {
+            verdict,
+            proof,
+            computed: None,
+            corrected: None,
+            instances: None,
+            counterexample: Vec::new(),
+            mutants: None,
+            evidence: Vec::new(),
+            findings: Vec::new(),
+        }
+    }
 }
 
 /// Serialises to the name that data and output use.

@@ -8,6 +8,8 @@ use crate::number::Truth;
 pub enum Basis {
     /// For all values of the symbols.
     Identity,
+    /// A decision on one configuration in exact arithmetic.
+    Exact,
     /// Random exact instances.
     Instances,
 }
