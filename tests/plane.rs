@@ -469,6 +469,45 @@ mod displacement {
         }
     }
 
+    proptest! {
+        #[test]
+        fn the_projective_pole_is_the_pole_or_at_infinity_across_the_translation(
+            first in displacements(), second in displacements(),
+        ) {
+            let pole = first.projective_pole(&second, &first.half_turn_to(&second));
+            let shift = &second.translation - &first.translation;
+            if yes(first.rotation.equals(&second.rotation)) {
+                prop_assert_eq!(pole.is_determined(), !shift.is_zero());
+                let [x, y, w] = pole.coordinates();
+                prop_assert!(yes(w.is_zero()), "at infinity");
+                prop_assert!(yes((x * shift.re() + y * shift.im()).is_zero()), "across");
+            } else {
+                prop_assert!(same(&pole.finite().unwrap(), &first.pole(&second)));
+            }
+            let back = second.projective_pole(&first, &second.half_turn_to(&first));
+            prop_assert_ne!(pole.equals(&back), Truth::No, "of either before the other");
+        }
+
+        #[test]
+        fn inverse_and_product_are_those_of_maps(
+            first in displacements(), second in displacements(), z in points(),
+        ) {
+            prop_assert!(same(&first.inverse().of(&first.of(&z)), &z));
+            prop_assert!(same(&first.after(&second).of(&z), &first.of(&second.of(&z))));
+        }
+    }
+
+    #[test]
+    fn half_a_revolution_has_its_pole_in_the_middle() {
+        let here = Displacement::<Exact>::identity();
+        let there = Displacement {
+            rotation: Number::from(-1),
+            translation: point(4, 6),
+        };
+        let pole = here.projective_pole(&there, &here.half_turn_to(&there));
+        assert!(same(&pole.finite().unwrap(), &point(2, 3)));
+    }
+
     #[test]
     fn a_quarter_turn_then_a_shift() {
         let displacement = Displacement::<Exact> {

@@ -9,6 +9,7 @@ pub mod degrees;
 pub mod exact;
 mod float;
 mod kind;
+pub mod linear;
 pub mod poly;
 pub mod surd;
 pub mod text;

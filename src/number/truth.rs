@@ -26,6 +26,11 @@ impl Truth {
         self == Truth::No
     }
 
+    /// `true` where it cannot be told.
+    pub fn is_unknown(self) -> bool {
+        self == Truth::Unknown
+    }
+
     /// Whether a sign (`None`: cannot be told) satisfies a condition.
     pub fn of_sign(sign: Option<Ordering>, condition: impl Fn(Ordering) -> bool) -> Truth {
         sign.map_or(Truth::Unknown, |sign| condition(sign).into())

@@ -91,6 +91,17 @@ impl<K: Kind> Cubic<K> {
         Truth::all(self.0.iter().take(4).map(Number::is_zero))
     }
 
+    /// Of a conic e x² + f xy + g y² + h x + i y + j with a center, and the line at infinity, the center.
+    /// No value for a parabola.
+    pub fn center_of_conic(&self) -> Point<K> {
+        let [_, _, _, _, e, f, g, h, i, _] = &self.0;
+        let determinant = 4 * e * g - f.square();
+        Number::complex(
+            (f * i - 2 * g * h) / &determinant,
+            (f * h - 2 * e * i) / &determinant,
+        )
+    }
+
     /// Whether the cubic part is divisible by x² + y², so that it is (a x + b y)(x² + y²): the
     /// coefficients of x³ and xy² are equal, and those of x²y and y³. So it is where it vanishes.
     pub fn is_circular(&self) -> Truth {

@@ -1,6 +1,7 @@
 //! Displacements of the moving plane, and the points that they leave where they are.
 
 use super::Point;
+use super::projective::ProjectivePoint;
 use crate::number::{Kind, Number};
 
 /// X = rotation · x + translation, |rotation| = 1: where a point x of the moving plane is in the
@@ -14,9 +15,35 @@ pub struct Displacement<K> {
 }
 
 impl<K: Kind> Displacement<K> {
+    /// No displacement.
+    pub fn identity() -> Self {
+        Displacement {
+            rotation: Number::one(),
+            translation: Number::zero(),
+        }
+    }
+
     /// Where a point of the moving plane is.
     pub fn of(&self, point: &Point<K>) -> Point<K> {
         &self.rotation * point + &self.translation
+    }
+
+    /// The moving plane seen from the fixed one becomes the fixed one seen from the moving: which
+    /// point of the moving plane is at a point of the fixed one.
+    pub fn inverse(&self) -> Self {
+        let back = self.rotation.conj();
+        Displacement {
+            translation: -(&back * &self.translation),
+            rotation: back,
+        }
+    }
+
+    /// This displacement after another one.
+    pub fn after(&self, first: &Self) -> Self {
+        Displacement {
+            rotation: &self.rotation * &first.rotation,
+            translation: self.of(&first.translation),
+        }
     }
 
     /// The pole of two positions, the point of the fixed plane where the same point of the moving
@@ -25,14 +52,50 @@ impl<K: Kind> Displacement<K> {
         let point = (&self.translation - &other.translation) / (&other.rotation - &self.rotation);
         self.of(&point)
     }
+
+    /// Half of the turn δ that leads from this position to another.
+    pub fn half_turn_to(&self, other: &Self) -> HalfTurn<K> {
+        HalfTurn::of(&(&other.rotation * self.rotation.conj()))
+    }
+
+    /// The pole of two positions, half of the turn between them given. It is at infinity, across
+    /// the translation, where there is no turn; not determined for equal positions.
+    pub fn projective_pole(&self, other: &Self, half_turn: &HalfTurn<K>) -> ProjectivePoint<K> {
+        // On the perpendicular bisector of the two places T, T' of the origin, which are seen from
+        // it under the angle δ: (T + T')/2 + i cot(δ/2) (T' − T)/2.
+        let HalfTurn { cos, sin } = half_turn;
+        let middle = (&self.translation + &other.translation).scaled(sin);
+        let across = Number::i() * (&other.translation - &self.translation);
+        let twice = middle + across.scaled(cos);
+        ProjectivePoint::new(twice.re().clone(), twice.im().clone(), 2 * sin)
+    }
 }
 
-impl<K: Kind> Displacement<K> {
-    /// No displacement.
-    pub fn identity() -> Self {
-        Displacement {
-            rotation: Number::one(),
-            translation: Number::zero(),
+/// Half of a turn, [cos δ/2 : sin δ/2] up to a common factor that is not zero: δ/2 is known modulo π,
+/// which is all that a turn tells.
+#[derive(Clone, Debug)]
+pub struct HalfTurn<K> {
+    /// cos δ/2; zero for half a revolution.
+    pub cos: Number<K>,
+    /// sin δ/2; zero where nothing turns.
+    pub sin: Number<K>,
+}
+
+impl<K: Kind> HalfTurn<K> {
+    /// Half of the turn e^{iδ}.
+    pub fn of(turn: &Point<K>) -> Self {
+        let (cos, sin) = (turn.re(), turn.im());
+        // Both are [cos δ/2 : sin δ/2]; the first vanishes for δ = π, the second for δ = 0.
+        if (1 + cos).is_zero().is_yes() {
+            HalfTurn {
+                cos: sin.clone(),
+                sin: 1 - cos,
+            }
+        } else {
+            HalfTurn {
+                cos: 1 + cos,
+                sin: sin.clone(),
+            }
         }
     }
 }

@@ -29,8 +29,13 @@ impl<K: Kind> Polynomial<K> {
 
     /// z − a.
     pub fn z_minus(a: &Point<K>) -> Self {
+        Self::linear(Number::one(), -a)
+    }
+
+    /// a z + b.
+    pub fn linear(a: Point<K>, b: Point<K>) -> Self {
         Polynomial {
-            rows: vec![vec![-a], vec![Number::one()]],
+            rows: vec![vec![b], vec![a]],
         }
     }
 

@@ -6,12 +6,19 @@ mod angle;
 pub mod circle;
 pub mod circular_cubic;
 pub mod conic;
+pub mod curve_type;
 pub mod displacement;
+pub mod focal_cubic;
+pub mod hessian;
+pub mod inflexions;
 pub mod isotropic;
 pub mod line;
+pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;
 pub mod relation;
+pub mod tangents;
+pub mod trace;
 
 pub use angle::Angle;
 

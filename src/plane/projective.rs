@@ -78,6 +78,14 @@ impl<K: Kind> ProjectivePoint<K> {
         (self.is_finite().is_yes() && w.has_value()).then(|| Number::complex(x / w, y / w))
     }
 
+    /// The same point as [x/w : y/w : 1], where it is known to be finite.
+    pub fn normalized(self) -> Self {
+        match self.finite() {
+            Some(point) => Self::from_finite(&point),
+            None => self,
+        }
+    }
+
     /// Whether two points are the same: their coordinates are proportional.
     pub fn equals(&self, other: &Self) -> Truth {
         let determined = self.is_determined() & other.is_determined();

@@ -1,0 +1,107 @@
+//! Polynomials in the coordinates x and y.
+
+use super::circular_cubic::Cubic;
+use crate::number::{Kind, Number, Truth};
+
+/// Σ cⱼₖ xʲ yᵏ, j + k at most the order.
+#[derive(Clone, Debug)]
+pub struct Polynomial<K> {
+    order: usize,
+    /// By falling order j + k, and among those by falling j, as the coefficients of a [`Cubic`].
+    coefficients: Vec<Number<K>>,
+}
+
+/// Where the terms of an order begin.
+fn start(order: usize, part: usize) -> usize {
+    // Orders order, …, part + 1 have order + 1, …, part + 2 terms.
+    (part + 1..=order).map(|n| n + 1).sum()
+}
+
+impl<K: Kind> Polynomial<K> {
+    /// a x + b y + c.
+    pub fn linear(a: Number<K>, b: Number<K>, c: Number<K>) -> Self {
+        Polynomial {
+            order: 1,
+            coefficients: vec![a, b, c],
+        }
+    }
+
+    /// a (x² + y²) + b x + c y + d.
+    pub fn circle(a: Number<K>, b: Number<K>, c: Number<K>, d: Number<K>) -> Self {
+        Polynomial {
+            order: 2,
+            coefficients: vec![a.clone(), Number::zero(), a, b, c, d],
+        }
+    }
+
+    fn zero(order: usize) -> Self {
+        Polynomial {
+            order,
+            coefficients: vec![Number::zero(); start(order, 0) + 1],
+        }
+    }
+
+    /// The product.
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = Self::zero(self.order + other.order);
+        for n in 0..=self.order {
+            for m in 0..=other.order {
+                let rows = (self.part(n), other.part(m));
+                let place = start(product.order, n + m);
+                for (k, left) in rows.0.iter().enumerate() {
+                    let sums = product.coefficients.iter_mut().skip(place + k);
+                    for (sum, right) in sums.zip(rows.1) {
+                        *sum += left * right;
+                    }
+                }
+            }
+        }
+        product
+    }
+
+    /// The terms of order n, by falling powers of x.
+    fn part(&self, n: usize) -> &[Number<K>] {
+        let place = start(self.order, n);
+        self.coefficients
+            .get(place..place + n + 1)
+            .unwrap_or_default()
+    }
+
+    /// The sum of two polynomials of one order.
+    pub fn plus(mut self, other: &Self) -> Self {
+        for n in 0..=self.order.min(other.order) {
+            let place = start(self.order, n);
+            for (sum, term) in (self.coefficients.iter_mut().skip(place)).zip(other.part(n)) {
+                *sum += term;
+            }
+        }
+        self
+    }
+
+    /// The difference of two polynomials of one order.
+    pub fn minus(mut self, other: &Self) -> Self {
+        for n in 0..=self.order.min(other.order) {
+            let place = start(self.order, n);
+            for (sum, term) in (self.coefficients.iter_mut().skip(place)).zip(other.part(n)) {
+                *sum -= term;
+            }
+        }
+        self
+    }
+
+    /// As a cubic; `None` where a term of higher order is known not to vanish.
+    pub fn to_cubic(&self) -> Option<Cubic<K>> {
+        let higher = (4..=self.order).flat_map(|n| self.part(n));
+        if Truth::all(higher.map(Number::is_zero)).is_no() && !K::ROUNDS {
+            return None;
+        }
+        let mut coefficients = std::array::from_fn(|_| Number::zero());
+        for n in 0..=self.order.min(3) {
+            let places = coefficients.iter_mut().skip(start(3, n));
+            for (place, term) in places.zip(self.part(n)) {
+                *place = term.clone();
+            }
+        }
+        Some(Cubic::new(coefficients))
+    }
+}
