@@ -58,7 +58,7 @@
 //!
 //! # Theory, scenes and verdicts
 //!
-//! [`plane`], [`linkage`] and [`curvature`] hold geometry and theory, derived from first principles
+//! [`plane`], [`finite`], [`linkage`] and [`curvature`] hold geometry and theory, derived from first principles
 //! and knowing no paper. [`scenes`] are the only place where a paper's symbols meet quantities of
 //! the theory. The [`ledger`] puts statement and scene together and finds the verdict:
 //!
@@ -75,6 +75,33 @@
 //! let judgement = judge.judge(line)?;
 //! assert_eq!(judgement.verdict, Verdict::Fails);
 //! assert_eq!(judgement.corrected.as_deref(), Some("s = m p d/(m p + n q)"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A quantity has several routes that share nothing: here the curve of all centers of four
+//! positions, from the circle conditions and from the loop closure, with its type decided without
+//! any root.
+//!
+//! ```
+//! use burmester::finite::four_positions::{circle_conditions, loop_closure};
+//! use burmester::number::{Exact, Number};
+//! use burmester::plane::curve_type::{CurveType, curve_type};
+//! use burmester::plane::displacement::Displacement;
+//! use burmester::plane::{Angle, Point};
+//!
+//! // x, y and the tangent of half of the angle.
+//! let four = [(0, 0, 0), (3, 1, 1), (5, -1, -2), (2, 4, 3)].map(|(x, y, t)| {
+//!     let translation: Point<Exact> = Number::complex(x.into(), y.into());
+//!     let rotation = Angle::from_tan_half(&Number::from(t)).cis();
+//!     Displacement { rotation, translation }
+//! });
+//! let curve = circle_conditions::centerpoint_cubic(&four).ok_or("no cubic")?;
+//! let other = loop_closure::centerpoint_cubic(&four).ok_or("no cubic")?;
+//! let ratio = &other.coefficients()[0] / &curve.coefficients()[0];
+//! for (a, b) in curve.coefficients().iter().zip(other.coefficients()) {
+//!     assert!(b.equals(&(a * &ratio)).is_yes());
+//! }
+//! assert_eq!(curve_type(&curve), Some(CurveType::TwoBranches));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -100,6 +127,7 @@
 //! ```
 
 pub mod curvature;
+pub mod finite;
 pub mod formula;
 pub mod ledger;
 pub mod linkage;

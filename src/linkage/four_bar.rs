@@ -30,7 +30,7 @@ impl<K: Real> FourBar<K> {
     /// the line from A to N. `None` where B cannot be reached, or where that cannot be told or held.
     pub fn with_crank(&self, u: &Point<K>) -> Option<[Position<K>; 2]> {
         let a = u.scaled(&self.a);
-        let corners = third_corners(&a, &self.base(), &self.c, &self.b)?;
+        let corners = third_corners(&a, &self.base(), &self.c.square(), &self.b.square())?;
         Some(corners.map(|b| Position { a: a.clone(), b }))
     }
 
@@ -39,7 +39,7 @@ impl<K: Real> FourBar<K> {
         // NB moved by BA ends in A.
         let along = w.scaled(&self.c);
         let moved = self.base() - &along;
-        let corners = third_corners(&Number::zero(), &moved, &self.a, &self.b)?;
+        let corners = third_corners(&Number::zero(), &moved, &self.a.square(), &self.b.square())?;
         Some(corners.map(|a| Position { b: &a + &along, a }))
     }
 
@@ -58,8 +58,9 @@ impl<K: Kind> FourBar<K> {
     }
 }
 
-/// The third corners of the triangles over XY with given distances from X and Y, left one first.
-fn third_corners<K: Real>(
+/// The third corners of the triangles over XY with given squares of the distances from X and Y,
+/// left one first. `None` where there are none, or where that cannot be told or held.
+pub fn third_corners<K: Real>(
     x: &Point<K>,
     y: &Point<K>,
     from_x: &Number<K>,
@@ -67,8 +68,8 @@ fn third_corners<K: Real>(
 ) -> Option<[Point<K>; 2]> {
     let base = y - x;
     let square = relation::distance_squared(x, y);
-    let along = (from_x.square() - from_y.square() + &square) / (2 * &square);
-    let across = (from_x.square() / &square - along.square()).sqrt();
+    let along = (from_x - from_y + &square) / (2 * &square);
+    let across = (from_x / &square - along.square()).sqrt();
     across.has_value().then(|| {
         let corner = |across: Number<K>| x + &base * Number::complex(along.clone(), across);
         [corner(across.clone()), corner(-&across)]

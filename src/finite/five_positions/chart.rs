@@ -1,0 +1,87 @@
+//! The two conics of five positions in coordinates of the plane of solutions.
+
+use super::conditions::{Coordinates, products};
+use crate::number::Kind;
+use crate::number::univariate::Polynomial;
+
+/// Coordinates e₀ + s e₁ + n e₂ of the solutions: on each line of one s both conics are quadratic
+/// equations in n.
+pub struct Chart<K> {
+    basis: [Coordinates<K>; 3],
+    /// A, B(s), C(s) of A n² + B n + C for each conic.
+    conics: [[Polynomial<K>; 3]; 2],
+}
+
+/// What a chart says of the meets of both conics.
+pub struct Meets<K> {
+    /// Of order 4 in s: zero on the lines through e₂ with a meet, where both equations have a common
+    /// root.
+    pub resultant: Polynomial<K>,
+    /// Where this is zero too, the equations are the same.
+    pub second: Polynomial<K>,
+    /// h, x, y, X, Y, p, q of the meet on a line, where the equations differ.
+    pub coordinates: [Polynomial<K>; 7],
+}
+
+impl<K: Kind> Chart<K> {
+    /// A chart of a number; the first is that of the basis as it is. `None` where both conics pass
+    /// through e₂.
+    pub fn new(basis: &[Coordinates<K>; 3], seed: i64) -> Option<Self> {
+        let basis = mixed(basis, seed);
+        let [e0, e1, e2] = &basis;
+        let form = |which: usize, u: &Coordinates<K>, v: &Coordinates<K>| {
+            let [first, second] = products(u, v);
+            if which == 0 { first } else { second }
+        };
+        // Twice a quadratic form is the bilinear form of a vector with itself.
+        let conic = |which: usize| {
+            let at = |u, v| form(which, u, v);
+            [
+                Polynomial::new(vec![at(e2, e2) / 2]),
+                Polynomial::new(vec![at(e0, e2), at(e1, e2)]),
+                Polynomial::new(vec![at(e0, e0) / 2, at(e0, e1), at(e1, e1) / 2]),
+            ]
+        };
+        let conics = [conic(0), conic(1)];
+        let through = conics.iter().all(|[a, ..]| a.is_zero());
+        (!through).then_some(Chart { basis, conics })
+    }
+
+    /// The meets.
+    pub fn meets(&self) -> Meets<K> {
+        let [[a, b, c], [a1, b1, c1]] = &self.conics;
+        let first = a * c1 - a1 * c;
+        let second = a * b1 - a1 * b;
+        let third = b * c1 - b1 * c;
+        Meets {
+            resultant: &first * &first - &second * &third,
+            coordinates: self.coordinates(&first, &second),
+            second,
+        }
+    }
+
+    /// second (e₀ + s e₁) − first e₂.
+    fn coordinates(&self, first: &Polynomial<K>, second: &Polynomial<K>) -> [Polynomial<K>; 7] {
+        let [e0, e1, e2] = &self.basis;
+        std::array::from_fn(|i| {
+            let along = Polynomial::new(vec![e0[i].clone(), e1[i].clone()]);
+            second * &along - first.scaled(&e2[i])
+        })
+    }
+}
+
+/// Small integer combinations, independent, another for each seed.
+fn mixed<K: Kind>(basis: &[Coordinates<K>; 3], seed: i64) -> [Coordinates<K>; 3] {
+    let [a, b, c] = basis;
+    let combine = |k: [i64; 3]| -> Coordinates<K> {
+        std::array::from_fn(|i| &a[i] * k[0] + &b[i] * k[1] + &c[i] * k[2])
+    };
+    // A lower times an upper triangular matrix with ones on the diagonal.
+    let (u, v, w) = (seed % 5, (seed * 3) % 7, (seed * 5 + 2) % 11 - 5);
+    let (d, e, f) = ((seed * 2) % 3, (seed * 7) % 5 - 2, (seed * 4) % 9 - 4);
+    [
+        combine([1, u, v]),
+        combine([d, d * u + 1, d * v + w]),
+        combine([e, e * u + f, e * v + f * w + 1]),
+    ]
+}

@@ -1,0 +1,65 @@
+//! The conditions of a Burmester pair.
+//!
+//! |rⱼz + tⱼ − M|² has one value for all positions. With w = z M̄ this is linear in z, M and w:
+//!
+//! ```text
+//! ½|tⱼ|² + Re(t̄ⱼrⱼz) − Re(t̄ⱼM) − Re(rⱼw) = const.
+//! ```
+//!
+//! A pair at infinity belongs to it as well: with the factor 1 of the first term replaced by h, the
+//! solutions with h = 0 have z = 0 or M = 0, and are the pairs whose other point is at infinity.
+
+use crate::number::{Kind, Number};
+use crate::plane::Point;
+use crate::plane::displacement::Displacement;
+
+/// Coordinates of a pair, up to a common factor: h, x, y, X, Y, p, q with w = p + iq, so that
+/// hp = xX + yY and hq = yX − xY.
+pub type Coordinates<K> = [Number<K>; 7];
+
+/// One row of coefficients for each position after the first.
+pub fn rows<K: Kind>(positions: &[Displacement<K>]) -> Vec<Vec<Number<K>>> {
+    let Some((first, rest)) = positions.split_first() else {
+        return Vec::new();
+    };
+    let base = row(first);
+    rest.iter()
+        .map(|position| {
+            let row = row(position);
+            row.iter().zip(&base).map(|(a, b)| a - b).collect()
+        })
+        .collect()
+}
+
+fn row<K: Kind>(position: &Displacement<K>) -> Coordinates<K> {
+    let (r, t) = (&position.rotation, &position.translation);
+    let mixed = t.conj() * r;
+    [
+        t.norm() / 2,
+        mixed.re().clone(),
+        -mixed.im(),
+        -t.re(),
+        -t.im(),
+        -r.re(),
+        r.im().clone(),
+    ]
+}
+
+/// hp − xX − yY and hq − yX + xY as bilinear forms, twice: zero for a pair with itself.
+pub fn products<K: Kind>(left: &Coordinates<K>, right: &Coordinates<K>) -> [Number<K>; 2] {
+    let [h, x, y, cx, cy, p, q] = left;
+    let [h1, x1, y1, cx1, cy1, p1, q1] = right;
+    [
+        h * p1 + h1 * p - x * cx1 - x1 * cx - y * cy1 - y1 * cy,
+        h * q1 + h1 * q - y * cx1 - y1 * cx + x * cy1 + x1 * cy,
+    ]
+}
+
+/// A circlepoint in the moving plane and its center in the fixed one, of coordinates with h ≠ 0.
+pub fn finite_pair<K: Kind>(coordinates: &Coordinates<K>) -> [Point<K>; 2] {
+    let [h, x, y, cx, cy, ..] = coordinates;
+    [
+        Number::complex(x / h, y / h),
+        Number::complex(cx / h, cy / h),
+    ]
+}

@@ -1,0 +1,18 @@
+//! Five positions: the Burmester pairs, a circlepoint and its center each.
+//!
+//! There are four in general, real or not, some at infinity, some equal; or families of them.
+//!
+//! - [`conditions`]: what a pair must fulfil, linear in the coordinates of both points and in two
+//!   products of them,
+//! - [`conics`]: the solutions of these in a projective plane, where the two products make two
+//!   conics; their four meets, with an eliminant in which no point is lost,
+//! - [`enclosed`]: the same where the positions are enclosures,
+//! - [`families`]: what there is where the pairs are infinitely many,
+//! - [`krawczyk`]: the judge, an interval test on the original conditions.
+
+pub mod chart;
+pub mod conditions;
+pub mod conics;
+pub mod enclosed;
+pub mod families;
+pub mod krawczyk;

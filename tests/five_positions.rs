@@ -1,0 +1,158 @@
+//! Five positions: all Burmester pairs, none missing, none invented.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    missing_docs,
+    reason = "a test stops where something is wrong"
+)]
+
+#[path = "support/positions.rs"]
+mod support;
+
+use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
+use burmester::finite::five_positions::krawczyk;
+use burmester::finite::four_positions::circle_conditions;
+use burmester::number::{Ball, Exact, Number};
+use burmester::plane::Point;
+use burmester::plane::displacement::Displacement;
+use proptest::prelude::*;
+use support::{Position, numbers, point, points, position, positions, turn, turns};
+
+type Five = [Position; 5];
+
+fn isolated(five: &Five) -> Option<Isolated> {
+    match pairs(five)? {
+        Pairs::Isolated(isolated) => Some(*isolated),
+        Pairs::Families => None,
+    }
+}
+
+const BITS: u32 = 300;
+
+fn ball(z: &Point<Exact>) -> Point<Ball> {
+    let part = |x: &Number<Exact>| Number::rounded(x.0.rational().unwrap(), &BITS);
+    Number::complex(part(z.re()), part(z.im()))
+}
+
+fn balls(five: &Five) -> [Displacement<Ball>; 5] {
+    five.each_ref().map(|d| Displacement {
+        rotation: ball(&d.rotation),
+        translation: ball(&d.translation),
+    })
+}
+
+/// Positions in which a point z moves on a circle about M: the turns of plane and crank are free.
+fn with_pair(
+    z: &Point<Exact>,
+    center: &Point<Exact>,
+    radius: &Number<Exact>,
+    turns: &[(Point<Exact>, Point<Exact>); 5],
+) -> Five {
+    turns.each_ref().map(|(plane, crank)| {
+        let place = center + crank.scaled(radius);
+        position(plane.clone(), place - plane * z)
+    })
+}
+
+fn overlaps(found: &Point<Ball>, exact: &Point<Exact>) -> bool {
+    let part = |a: &Number<Ball>, b: &Number<Exact>| a.0.contains(b.0.rational().unwrap());
+    part(found.re(), exact.re()) && part(found.im(), exact.im())
+}
+
+/// What holds of the pairs of any five positions.
+fn assert_all_pairs(five: &Five) -> Result<(), TestCaseError> {
+    let Some(isolated) = isolated(five) else {
+        return Ok(());
+    };
+    let real = isolated.real(BITS);
+    let complex = isolated.complex(BITS);
+    let count: usize = real.iter().map(|pair| pair.multiplicity).sum();
+    let couples: usize = complex.iter().map(|pair| pair.multiplicity).sum();
+    prop_assert_eq!(count + 2 * couples, 4);
+    let positions = balls(five);
+    let cubics = [
+        [0, 1, 2, 3],
+        [0, 1, 2, 4],
+        [0, 1, 3, 4],
+        [0, 2, 3, 4],
+        [1, 2, 3, 4],
+    ]
+    .map(|places| {
+        circle_conditions::centerpoint_cubic(&places.map(|i: usize| positions[i].clone())).unwrap()
+    });
+    for pair in real.iter().filter(|pair| pair.place == Place::Finite) {
+        let [z, m] = pair.points();
+        for cubic in &cubics {
+            prop_assert!(
+                !cubic.at(&m).is_zero().is_no(),
+                "the center is on the curves of any four"
+            );
+        }
+        if pair.multiplicity == 1 {
+            prop_assert!(
+                krawczyk::holds_one_pair(&positions, [&z, &m], BITS),
+                "one pair there"
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn every_pair_passes_the_judge(five in [positions(), positions(), positions(), positions(), positions()]) {
+        assert_all_pairs(&five)?;
+    }
+
+    #[test]
+    fn a_known_pair_is_found(
+        z in points(), center in points(), radius in numbers(),
+        turns in [(turns(), turns()), (turns(), turns()), (turns(), turns()), (turns(), turns()), (turns(), turns())],
+    ) {
+        let five = with_pair(&z, &center, &radius, &turns);
+        let Some(isolated) = isolated(&five) else { return Ok(()) };
+        let found = isolated.real(BITS).iter().any(|pair| {
+            pair.place == Place::Finite && {
+                let [z1, m1] = pair.points();
+                overlaps(&z1, &z) && overlaps(&m1, &center)
+            }
+        });
+        prop_assert!(found);
+        // The eliminant vanishes in −x.
+        let x = -z.re();
+        let eliminant = isolated.eliminant().unwrap();
+        prop_assert!(eliminant.evaluate(&x).is_zero().is_yes());
+    }
+
+    #[test]
+    fn a_slide_is_a_pair_at_infinity(
+        z in points(), places in [numbers(), numbers(), numbers(), numbers(), numbers()],
+        turns in [turns(), turns(), turns(), turns(), turns()],
+    ) {
+        // z moves along the x-axis.
+        let five: Five = std::array::from_fn(|j| {
+            position(turns[j].clone(), Point::from(places[j].clone()) - &turns[j] * &z)
+        });
+        let Some(isolated) = isolated(&five) else { return Ok(()) };
+        let real = isolated.real(BITS);
+        let slide = real.iter().find(|pair| pair.place == Place::CenterAtInfinity);
+        prop_assert!(slide.is_some(), "{:?}", real.iter().map(|pair| pair.place).collect::<Vec<_>>());
+    }
+}
+
+#[test]
+fn a_textbook_case() {
+    let five: Five = [
+        (0, 1, 0, 0),
+        (1, 5, 3, 1),
+        (1, 3, 5, 1),
+        (2, 3, 6, -1),
+        (1, 1, 5, -4),
+    ]
+    .map(|(n, d, x, y)| position(turn(n, d), point(x, y)));
+    let isolated = isolated(&five).unwrap();
+    let eliminant = isolated.eliminant().unwrap();
+    assert_eq!(eliminant.degree(), Some(4));
+    println!("{eliminant}");
+}
