@@ -25,6 +25,7 @@ pub const SCENE: Scene = scene!(
         "c": "length of the side O14 O12",
         "U": "sum of the shortest and the longest side",
         "Z": "sum of the other two sides",
+        "adjacent": "1 where the shortest and the longest side have a pole in common, else 0",
     ]
 );
 
@@ -60,10 +61,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     Unbuilt::unless_real((&long - &r).is_positive(), "r is not the shorter one")?;
     let total = &r + &h + &long + &c;
     // Of the two shorter ones of the pairs one is the shortest, and likewise for the longest.
-    let shortest = smaller(&r, &c)?;
-    let longest = -smaller(&-&long, &-&h)?;
-    let u = shortest + longest;
+    let r_is_shortest = is_less(&r, &c)?;
+    let h_is_longest = is_less(&long, &h)?;
+    let u = if r_is_shortest { &r } else { &c } + if h_is_longest { &h } else { &long };
+    let adjacent = i64::from(r_is_shortest == h_is_longest);
     let mut bindings = Bindings::new(free.precision());
+    bindings.bind("adjacent", Number::<K>::from(adjacent));
     bindings.bind("Z", total - &u);
     bindings.bind("U", u);
     for (name, length) in [("r", r), ("h", h), ("R", long), ("c", c)] {
@@ -75,9 +78,9 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     Ok(bindings)
 }
 
-fn smaller<K: Real>(x: &Number<K>, y: &Number<K>) -> Result<Number<K>, Unbuilt> {
+fn is_less<K: Real>(x: &Number<K>, y: &Number<K>) -> Result<bool, Unbuilt> {
     match x.compare(y) {
-        Some(order) => Ok(if order.is_gt() { y.clone() } else { x.clone() }),
+        Some(order) => Ok(order.is_lt()),
         None => Err(Unbuilt::NotHeld("the order of two sides".to_owned())),
     }
 }
