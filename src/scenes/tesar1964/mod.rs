@@ -4,5 +4,17 @@
 //! Chapter II: the pole is the origin, angles are measured from the pole tangent so that the pole
 //! normal through the inflection pole is at 90°, distances from the pole are positive along the ray
 //! of their angle, and the diameter of the inflection circle is 1.
+//!
+//! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
+//! the place of the moving origin and the turn.
 
+pub(super) mod burmester_pair;
+pub(super) mod circlepoint;
+pub(super) mod conics;
+pub(super) mod five_positions;
+pub(super) mod five_positions_on_a_line;
+pub(super) mod known_center;
+pub(super) mod moving_plane;
+pub(super) mod point_on_a_line;
+pub(super) mod positions_on_a_line;
 pub(super) mod slider_crank;
