@@ -290,12 +290,16 @@ fn a_reader_that_goes_away_is_no_failure() {
     assert!(output.status.success());
 }
 
-/// The three lines of the documentation on adding a paper: one right, one misprinted with its
-/// correction, one number.
-fn made_up_paper() -> String {
+/// The examples of the documentation on adding a paper.
+fn documented(place: usize) -> String {
     let documentation = fs::read_to_string("docs/adding-a-paper.md").unwrap();
-    let (_, after) = documentation.split_once("```toml\n").unwrap();
+    let after = documentation.split("```toml\n").nth(place).unwrap();
     after.split_once("```").unwrap().0.to_owned()
+}
+
+/// Its three lines: one right, one misprinted with its correction, one number.
+fn made_up_paper() -> String {
+    documented(1)
 }
 
 fn verify_made_up(name: &str, paper: &str) -> Output {
@@ -336,6 +340,32 @@ fn a_paper_is_added_without_any_code() {
     ];
     assert_eq!(
         verdicts,
+        expected.map(|(a, b)| (format!("\"{a}\""), format!("\"{b}\"")))
+    );
+}
+
+#[test]
+fn a_table_is_added_without_any_code() {
+    let paper = made_up_paper().replace("statements = 3", "statements = 7");
+    let paper = format!("{paper}\n{}", documented(2));
+    let output = verify_made_up("made-up-table", &paper);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let cells: Vec<(String, String)> = text(&output.stdout)
+        .lines()
+        .skip(3)
+        .map(|line| {
+            let line: serde_json::Value = serde_json::from_str(line).unwrap();
+            (line["verdict"].to_string(), line["computed"].to_string())
+        })
+        .collect();
+    let expected = [
+        ("holds", "+"),
+        ("fails", "-"),
+        ("holds", "-"),
+        ("holds", "+"),
+    ];
+    assert_eq!(
+        cells,
         expected.map(|(a, b)| (format!("\"{a}\""), format!("\"{b}\"")))
     );
 }

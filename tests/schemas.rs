@@ -22,6 +22,10 @@ fn validator(name: &str) -> Validator {
             "burmester:number",
             Resource::from_contents(schema("number")).unwrap(),
         )
+        .with_resource(
+            "burmester:geometry",
+            Resource::from_contents(schema("geometry")).unwrap(),
+        )
         .build(&schema(name))
         .unwrap()
 }
@@ -163,4 +167,234 @@ fn hart() {
         "hart",
         json!({"problem": "hart", "m": "5", "n": "7", "d": "6", "kappa": "-3"}),
     );
+}
+
+/// Positions by x, y and their angles.
+fn positions(list: &[(&str, &str, Value)]) -> Value {
+    let position = |(x, y, angle): &(&str, &str, Value)| json!({"x": x, "y": y, "angle": angle});
+    list.iter().map(position).collect()
+}
+
+fn degrees(text: &str) -> Value {
+    json!({"degrees": text})
+}
+
+#[test]
+fn poles() {
+    let answer = answered(
+        "poles",
+        json!({"problem": "poles", "positions": positions(&[
+            ("0", "0", degrees("0")),
+            ("2", "0", degrees("90")),
+            ("4", "6", degrees("0")),
+            ("4", "6", degrees("360")),
+            ("1", "1", json!({"radians": "0.3"})),
+        ])}),
+    );
+    assert_eq!(
+        answer["poles"]["12"],
+        json!([{"exact": "1"}, {"exact": "1"}])
+    );
+    // The pole of a translation lies across it.
+    let across = json!({"at_infinity": [{"exact": "3"}, {"exact": "-2"}]});
+    assert_eq!(answer["poles"]["13"], across);
+    assert_eq!(answer["poles"]["34"], json!({"undetermined": true}));
+    assert_eq!(answer["turns"]["12"], json!({"degrees": {"exact": "90"}}));
+    let by_points = answered(
+        "poles",
+        json!({"problem": "poles", "positions": [
+            {"points": [["0", "0"], ["1", "0"]]}, {"points": [["3", "0"], ["3", "1"]]},
+        ]}),
+    );
+    assert_eq!(
+        by_points["poles"]["12"],
+        json!([{"exact": "3/2"}, {"exact": "3/2"}])
+    );
+    let fitted = answered(
+        "poles",
+        json!({"problem": "poles", "positions": [
+            {"points": [["0", "0"], ["1", "0"]], "fit": true},
+            {"points": [["3", "0"], ["3", "1.01"]]},
+        ]}),
+    );
+    assert_eq!(
+        fitted["fitted_angles"][1],
+        json!({"degrees": {"exact": "90"}})
+    );
+}
+
+#[test]
+fn three_positions() {
+    let answer = answered(
+        "three-positions",
+        json!({
+            "problem": "three-positions",
+            "positions": positions(&[
+                ("0", "0", degrees("0")),
+                ("2", "0", degrees("90")),
+                ("4", "6", degrees("17.5")),
+            ]),
+            "circlepoints": [["1", "1"], [0.25, "-7/3"]],
+            "centers": [["3", "1"]],
+        }),
+    );
+    assert_eq!(answer["pairs"].as_array().unwrap().len(), 3);
+    assert!(answer.get("undecided").is_none(), "{answer}");
+    // A point that moves along a line, exactly: translations.
+    let answer = answered(
+        "three-positions",
+        json!({
+            "problem": "three-positions",
+            "positions": positions(&[
+                ("0", "0", degrees("72.5")), ("2", "0", degrees("72.5")), ("5", "0", degrees("72.5")),
+            ]),
+            "circlepoints": [["0", "0"]],
+        }),
+    );
+    let upwards = json!({"at_infinity": [{"exact": "0"}, {"exact": "1"}]});
+    assert_eq!(answer["pairs"][0]["center"], upwards);
+}
+
+#[test]
+fn centerpoint_curves() {
+    let tan_half = |text: &str| json!({"tan_half": text});
+    for (list, expected) in [
+        (
+            [
+                ("0", "0", degrees("0")),
+                ("3", "1", tan_half("1/2")),
+                ("5", "-1", json!({"cos": "3/5", "sin": "-4/5"})),
+                ("2", "4", tan_half("-3")),
+            ],
+            json!("two-branches"),
+        ),
+        (
+            [
+                ("0", "0", degrees("0")),
+                ("3", "1", degrees("45")),
+                ("5", "-1", json!({"cos": "3/5", "sin": "-4/5"})),
+                ("2", "4", degrees("77.7")),
+            ],
+            json!("one-branch"),
+        ),
+        (
+            [
+                ("0", "0", degrees("0")),
+                ("2", "2", degrees("180")),
+                ("6", "4", degrees("0")),
+                ("1", "7", degrees("180")),
+            ],
+            json!("hyperbola"),
+        ),
+        (
+            [
+                ("0", "0", degrees("72.5")),
+                ("2", "2", degrees("72.5")),
+                ("6", "4", degrees("72.5")),
+                ("1", "7", degrees("72.5")),
+            ],
+            Value::Null,
+        ),
+        (
+            [
+                ("0", "0", degrees("72.5")),
+                ("0", "0", degrees("72.5")),
+                ("6", "4", degrees("17")),
+                ("1", "7", degrees("72.5")),
+            ],
+            json!("every-point"),
+        ),
+        (
+            [
+                ("0", "0", degrees("0")),
+                ("2", "2", degrees("0")),
+                ("6", "4", degrees("0")),
+                ("1", "7", degrees("80")),
+            ],
+            json!("line-and-circle"),
+        ),
+    ] {
+        let problem = json!({"problem": "centerpoint-curve", "positions": positions(&list)});
+        let answer = answered("centerpoint-curve", problem);
+        assert_eq!(answer["centerpoint"]["type"], expected, "{answer}");
+        assert_eq!(answer["circlepoint"]["type"], expected, "{answer}");
+        // Of two equal positions known by enclosures the poles with a third are equal, but their
+        // distance is not known to be zero.
+        let undecided = answer.get("undecided").and_then(Value::as_str);
+        let allowed = (expected == "every-point").then_some("quadrilaterals.sides");
+        assert_eq!(undecided, allowed, "{answer}");
+    }
+}
+
+#[test]
+fn five_positions() {
+    let by_points = |pairs: [[[&str; 2]; 2]; 5]| -> Value {
+        pairs
+            .iter()
+            .map(|points| json!({"points": points}))
+            .collect()
+    };
+    let problem = |positions: Value| json!({"problem": "five-positions", "positions": positions});
+    let list = [
+        ("0", "0", json!({"tan_half": "0"})),
+        ("3", "1", json!({"tan_half": "1/5"})),
+        ("5", "1", json!({"tan_half": "1/3"})),
+        ("6", "-1", json!({"tan_half": "2/3"})),
+        ("5", "-4", json!({"tan_half": "1"})),
+    ];
+    let answer = answered("five-positions", problem(positions(&list)));
+    assert_eq!(
+        answer["counts"],
+        json!({"real": 2, "complex": 2, "at_infinity": 0})
+    );
+    assert_eq!(answer["certificate"]["krawczyk"], json!([true, true]));
+    assert!(answer.get("undecided").is_none(), "{answer}");
+    // The same in degrees, known by enclosures.
+    let mut near = list.clone();
+    near[1].2 = degrees("22.6");
+    let answer = answered("five-positions", problem(positions(&near)));
+    assert_eq!(
+        answer["counts"],
+        json!({"real": 2, "complex": 2, "at_infinity": 0})
+    );
+    // Translations: on no circle, on one, along a line.
+    for (places, family) in [
+        (
+            [["0", "0"], ["1", "0"], ["0", "1"], ["2", "3"], ["5", "1"]],
+            Value::Null,
+        ),
+        (
+            [
+                ["5", "0"],
+                ["3", "4"],
+                ["-3", "4"],
+                ["0", "-5"],
+                ["4", "-3"],
+            ],
+            json!({"kind": "plane"}),
+        ),
+        (
+            [
+                ["0", "0"],
+                ["1", "2"],
+                ["2", "4"],
+                ["-1", "-2"],
+                ["5", "10"],
+            ],
+            json!({"kind": "plane", "center": {"at_infinity": [{"exact": "2"}, {"exact": "-1"}]}}),
+        ),
+    ] {
+        let shifted = places.map(|[x, y]| {
+            let along = (x.parse::<i64>().unwrap() + 1).to_string();
+            [[x.to_owned(), y.to_owned()], [along, y.to_owned()]]
+        });
+        let shifted = shifted.each_ref().map(|pair| {
+            pair.each_ref()
+                .map(|point| point.each_ref().map(String::as_str))
+        });
+        let answer = answered("five-positions", problem(by_points(shifted)));
+        assert_eq!(answer["family"], family, "{answer}");
+        assert_eq!(answer["pairs"], json!([]));
+        assert_eq!(answer["at_infinity"], json!([]));
+    }
 }

@@ -2,6 +2,7 @@
 
 mod explain;
 mod outcome;
+mod readable;
 mod solve;
 mod style;
 mod verify;
@@ -33,9 +34,13 @@ enum Command {
     Explain(explain::Arguments),
     /// Solve a problem given as JSON, with certified digits
     ///
-    /// Problems: focal-mechanism (a, b, c, d, rho), hart (m, n, d, kappa), slider-crank-alternates
-    /// (k, alpha_a, alpha_d). Numbers are strings ("3", "-5/13", "0.125") and taken exactly; angles
-    /// are {"degrees": …}, {"radians": …}, {"tan_half": …} or {"cos": …, "sin": …}.
+    /// Problems: poles (2 to 9 positions), three-positions (positions, circlepoints, centers),
+    /// centerpoint-curve (4 positions), five-positions (5 positions), slider-crank-alternates (k,
+    /// alpha_a, alpha_d), focal-mechanism (a, b, c, d, rho), hart (m, n, d, kappa).
+    ///
+    /// Numbers are strings ("3", "-5/13", "0.125") and taken exactly; angles are {"degrees": …},
+    /// {"radians": …}, {"tan_half": …} or {"cos": …, "sin": …}; a position is {"x": …, "y": …,
+    /// "angle": …} or, all of them, two points of the body {"points": [["x", "y"], ["x", "y"]]}.
     ///
     /// Example: echo '{"problem": "slider-crank-alternates", "k": "0.9", "alpha_a": {"degrees":
     /// "72.5"}, "alpha_d": {"degrees": "45"}}' | burmester solve

@@ -10,8 +10,8 @@ use burmester::report;
 use clap::ValueEnum;
 use serde_json::Value;
 
-use super::Format;
 use super::outcome::{Failure, print};
+use super::{Format, readable};
 
 /// Arguments of `solve`.
 #[derive(clap::Args)]
@@ -86,7 +86,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         print(&match arguments.format {
             Format::Json => format!("{answer}\n"),
-            Format::Text => readable(&answer),
+            Format::Text => readable::answer(&answer),
         })?;
     }
     Ok(ExitCode::SUCCESS)
@@ -128,51 +128,4 @@ fn write_whole(file: &Path, text: &str) -> io::Result<()> {
         let _ = std::fs::remove_file(&beside);
     }
     written
-}
-
-/// An answer for a person: a line for each field.
-fn readable(answer: &Value) -> String {
-    let Value::Object(fields) = answer else {
-        return format!("{answer}\n");
-    };
-    let width = fields.keys().map(String::len).max().unwrap_or(0);
-    fields
-        .iter()
-        .map(|(name, value)| match value {
-            Value::Array(members) if members.iter().all(|member| member.get("exact").is_none()) => {
-                let blocks: Vec<String> = members.iter().map(readable).collect();
-                format!("\n{name}\n{}", indented(&blocks.join("\n")))
-            }
-            value => format!("{name:<width$}  {}\n", in_words(value)),
-        })
-        .collect()
-}
-
-fn indented(text: &str) -> String {
-    text.lines().map(|line| format!("  {line}\n")).collect()
-}
-
-fn in_words(value: &Value) -> String {
-    let field = |name: &str| value.get(name);
-    if let Some(Value::String(exact)) = field("exact") {
-        return format!("{exact} (exact)");
-    }
-    if let (Some(Value::String(value)), Some(Value::String(radius))) =
-        (field("value"), field("radius"))
-    {
-        return format!("{value} ± {radius}");
-    }
-    if let Some(degrees) = field("degrees") {
-        return format!("{} degrees", in_words(degrees));
-    }
-    if let (Some(re), Some(im)) = (field("re"), field("im")) {
-        return format!("tangent {}  +  i · {}", in_words(re), in_words(im));
-    }
-    match value {
-        Value::Null => "—".to_owned(),
-        Value::Array(members) => members.iter().map(in_words).collect::<Vec<_>>().join(", "),
-        Value::String(text) => text.clone(),
-        _ if field("infinite").is_some() => "infinite".to_owned(),
-        other => other.to_string(),
-    }
 }

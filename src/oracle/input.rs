@@ -11,17 +11,49 @@ use crate::plane;
 /// The object that a problem is.
 pub struct Fields<'a> {
     object: &'a Map<String, Value>,
+    /// Where the object stands in the problem; empty for the problem itself.
+    place: String,
 }
 
 impl<'a> Fields<'a> {
     pub fn of(problem: &'a Value) -> Result<Self, ProblemError> {
         match problem {
-            Value::Object(object) => Ok(Fields { object }),
+            Value::Object(object) => Ok(Fields {
+                object,
+                place: String::new(),
+            }),
             other => Err(ProblemError::new(
                 "problem",
                 format!("an object was expected, not {}", kind(other)),
             )),
         }
+    }
+
+    /// An object within the problem.
+    pub fn at(value: &'a Value, place: &str) -> Result<Self, ProblemError> {
+        match value {
+            Value::Object(object) => Ok(Fields {
+                object,
+                place: place.to_owned(),
+            }),
+            other => Err(ProblemError::new(
+                place,
+                format!("an object was expected, not {}", kind(other)),
+            )),
+        }
+    }
+
+    fn path(&self, name: &str) -> String {
+        if self.place.is_empty() {
+            name.to_owned()
+        } else {
+            format!("{}.{name}", self.place)
+        }
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, name: &str, message: impl Into<String>) -> ProblemError {
+        ProblemError::new(&self.path(name), message)
     }
 
     pub fn name(&self) -> Result<&'a str, ProblemError> {
@@ -43,7 +75,7 @@ impl<'a> Fields<'a> {
         let common = ["problem", "id", "note"];
         for name in self.object.keys() {
             if !common.contains(&name.as_str()) && !expected.contains(&name.as_str()) {
-                return Err(ProblemError::new(
+                return Err(self.error(
                     name,
                     format!("unknown field; expected {}", expected.join(", ")),
                 ));
@@ -55,11 +87,63 @@ impl<'a> Fields<'a> {
     fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
         self.object
             .get(name)
-            .ok_or_else(|| ProblemError::new(name, "this field is missing"))
+            .ok_or_else(|| self.error(name, "this field is missing"))
     }
 
     pub fn number(&self, name: &str) -> Result<Rational, ProblemError> {
-        number(self.get(name)?, name)
+        number(self.get(name)?, &self.path(name))
+    }
+
+    /// A list.
+    pub fn list(&self, name: &str) -> Result<&'a [Value], ProblemError> {
+        match self.get(name)? {
+            Value::Array(list) => Ok(list),
+            other => Err(self.error(name, format!("a list was expected, not {}", kind(other)))),
+        }
+    }
+
+    /// A list of points, each a list of two numbers.
+    pub fn points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
+        let read = |(place, value): (usize, &Value)| {
+            let place = format!("{}[{place}]", self.path(name));
+            match value {
+                Value::Array(pair) if pair.len() == 2 => {
+                    let part = |axis: usize| {
+                        number(
+                            pair.get(axis).unwrap_or(&Value::Null),
+                            &format!("{place}[{axis}]"),
+                        )
+                    };
+                    Ok([part(0)?, part(1)?])
+                }
+                other => Err(ProblemError::new(
+                    &place,
+                    format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),
+                )),
+            }
+        };
+        self.list(name)?.iter().enumerate().map(read).collect()
+    }
+
+    /// The points of a field that may be missing.
+    pub fn optional_points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
+        if self.object.contains_key(name) {
+            self.points(name)
+        } else {
+            Ok(Vec::new())
+        }
+    }
+
+    /// True or false; false where the field is missing.
+    pub fn flag(&self, name: &str) -> Result<bool, ProblemError> {
+        match self.object.get(name) {
+            None => Ok(false),
+            Some(Value::Bool(flag)) => Ok(*flag),
+            Some(other) => Err(self.error(
+                name,
+                format!("true or false was expected, not {}", kind(other)),
+            )),
+        }
     }
 
     pub fn positive(&self, name: &str) -> Result<Rational, ProblemError> {
@@ -67,12 +151,12 @@ impl<'a> Fields<'a> {
         if number.cmp0().is_gt() {
             Ok(number)
         } else {
-            Err(ProblemError::new(name, "a positive length was expected"))
+            Err(self.error(name, "a positive length was expected"))
         }
     }
 
     pub fn angle(&self, name: &str) -> Result<Angle, ProblemError> {
-        Angle::read(self.get(name)?, name)
+        Angle::read(self.get(name)?, &self.path(name))
     }
 }
 
@@ -180,6 +264,16 @@ impl Angle {
         }
     }
 
+    /// The turn from this angle to another, where it is better known than their cosines and sines
+    /// tell: two angles in one unit.
+    pub fn turn_to(&self, other: &Self) -> Option<Self> {
+        match (self, other) {
+            (Angle::Degrees(a), Angle::Degrees(b)) => Some(Angle::Degrees(Rational::from(b - a))),
+            (Angle::Radians(a), Angle::Radians(b)) => Some(Angle::Radians(Rational::from(b - a))),
+            _ => None,
+        }
+    }
+
     /// In any arithmetic with elementary functions.
     pub fn rounded<K: Elementary>(&self, precision: &K::Precision) -> plane::Angle<K> {
         let number = |q: &Rational| Number::<K>::rounded(q, precision);
@@ -188,6 +282,9 @@ impl Angle {
                 Some((cos, sin)) => plane::Angle::from_cos_sin(Number(cos), Number(sin)),
                 None => of_radians(&(number(degrees) * Number::pi(precision) / 180)),
             },
+            Angle::Radians(radians) if radians.is_zero() => {
+                plane::Angle::from_cos_sin(Number::one(), Number::zero())
+            }
             Angle::Radians(radians) => of_radians(&number(radians)),
             Angle::CosSin(cos, sin) => plane::Angle::from_cos_sin(number(cos), number(sin)),
         }

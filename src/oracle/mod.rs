@@ -1,14 +1,24 @@
 //! Problem in, certified answer out.
 
+mod centerpoint_curve;
+mod five_positions;
 mod focal_mechanism;
+mod geometry;
 mod hart;
 mod input;
+mod linkages;
+mod numeral;
 mod output;
+mod poles;
+mod positions;
 mod sharpen;
 mod slider_crank_alternates;
+mod three_positions;
 
 use serde_json::{Map, Value, json};
 use thiserror::Error;
+
+use crate::plane::displacement::Displacement;
 
 /// What to compute with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -58,7 +68,24 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 3] = ["focal-mechanism", "hart", "slider-crank-alternates"];
+pub const PROBLEMS: [&str; 7] = [
+    "centerpoint-curve",
+    "five-positions",
+    "focal-mechanism",
+    "hart",
+    "poles",
+    "slider-crank-alternates",
+    "three-positions",
+];
+
+/// The positions of the moving plane that a problem gives, in floats: for pictures.
+///
+/// # Errors
+/// A problem without positions, or with wrong ones.
+pub fn displacements(problem: &Value) -> Result<Vec<Displacement<f64>>, ProblemError> {
+    let given = positions::Given::read(&input::Fields::of(problem)?, 1, usize::MAX)?;
+    Ok(given.rounded::<f64>(&()).displacements().to_vec())
+}
 
 /// Solves one problem, given and answered as JSON.
 ///
@@ -68,8 +95,12 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
     let fields = input::Fields::of(problem)?;
     let name = fields.name()?;
     let answer = match name {
+        "centerpoint-curve" => centerpoint_curve::answer(&fields, request)?,
+        "five-positions" => five_positions::answer(&fields, request)?,
         "focal-mechanism" => focal_mechanism::answer(&fields, request)?,
         "hart" => hart::answer(&fields, request)?,
+        "poles" => poles::answer(&fields, request)?,
+        "three-positions" => three_positions::answer(&fields, request)?,
         "slider-crank-alternates" => slider_crank_alternates::answer(&fields, request)?,
         unknown => {
             return Err(ProblemError::new(

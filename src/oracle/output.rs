@@ -14,9 +14,15 @@ pub fn exact(q: &Rational) -> Value {
 /// An enclosure of so many digits: its radius is at most 10^−digits of the value. `None` while the
 /// ball is not that sharp.
 pub fn enclosure(number: &Number<Ball>, digits: u32) -> Option<Value> {
+    enclosure_beside(number, &Rational::new(), digits)
+}
+
+/// An enclosure whose radius is at most 10^−digits of the value, or of a size that is given: that of
+/// the largest number that belongs to it. `None` while the ball is not that sharp.
+pub fn enclosure_beside(number: &Number<Ball>, size: &Rational, digits: u32) -> Option<Value> {
     let mid = number.0.midpoint_rational()?;
-    if mid.is_zero() && number.0.radius_rational()?.is_zero() {
-        return Some(json!({"exact": "0"}));
+    if number.0.radius_rational()?.is_zero() {
+        return Some(exact(&mid));
     }
     let text = number.0.to_decimal(digits as usize + 2)?;
     let (value, radius) = (
@@ -24,7 +30,19 @@ pub fn enclosure(number: &Number<Ball>, digits: u32) -> Option<Value> {
         parse_rational(&text.radius).ok()?,
     );
     let unit = Rational::from((1, Integer::from(Integer::u_pow_u(10, digits))));
-    (radius <= value.abs() * unit).then(|| json!({"value": text.value, "radius": text.radius}))
+    let size = value.abs().max(size.clone());
+    (radius <= size * unit).then(|| json!({"value": text.value, "radius": text.radius}))
+}
+
+/// What the largest of these numbers surely reaches in absolute value.
+pub fn least_size(numbers: &[Number<Ball>]) -> Rational {
+    let least = |number: &Number<Ball>| -> Option<Rational> {
+        Some(number.0.midpoint_rational()?.abs() - number.0.radius_rational()?)
+    };
+    numbers
+        .iter()
+        .filter_map(least)
+        .fold(Rational::new(), Rational::max)
 }
 
 /// An exact number: itself where it is rational, else an enclosure.
@@ -38,4 +56,14 @@ pub fn surd(number: &Number<Surd>, digits: u32, bits: u32) -> Option<Value> {
 /// A float; null where it is none.
 pub fn float(x: f64) -> Value {
     json!(x)
+}
+
+/// The float next to a number that went out; `None` for anything else.
+pub fn as_float(value: &Value) -> Option<f64> {
+    let fields = value.as_object()?;
+    let text = fields
+        .get("exact")
+        .or_else(|| fields.get("value"))?
+        .as_str()?;
+    Some(parse_rational(text).ok()?.to_f64())
 }

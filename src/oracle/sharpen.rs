@@ -25,11 +25,7 @@ pub fn sharpen(
     let needed = digits.saturating_mul(4).saturating_add(64);
     let mut bits = needed;
     loop {
-        let mut attempt = Attempt {
-            digits,
-            bits,
-            undecided: Vec::new(),
-        };
+        let mut attempt = Attempt::new(digits, bits);
         let mut fields = answer(&mut attempt);
         if attempt.undecided.is_empty() {
             return fields;
@@ -43,10 +39,21 @@ pub fn sharpen(
 }
 
 impl Attempt {
+    /// An attempt to so many bits.
+    pub fn new(digits: u32, bits: u32) -> Self {
+        Attempt {
+            digits,
+            bits,
+            undecided: Vec::new(),
+        }
+    }
+
     /// A value, or null and a note that it is not decided.
     pub fn decided(&mut self, name: &str, value: Option<Value>) -> Value {
         value.unwrap_or_else(|| {
-            self.undecided.push(name.to_owned());
+            if !self.undecided.iter().any(|known| known == name) {
+                self.undecided.push(name.to_owned());
+            }
             Value::Null
         })
     }

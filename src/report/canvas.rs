@@ -20,6 +20,12 @@ pub enum Stroke {
     MainPath,
     /// A curve of the theory.
     Curve,
+    /// The curve that the picture is about.
+    MainCurve,
+    /// A line of the construction.
+    Construction,
+    /// A line that belongs to a curve: asymptote, midline.
+    Guide,
 }
 
 impl Stroke {
@@ -33,6 +39,9 @@ impl Stroke {
             Stroke::Path => r##"stroke="#1565c0" stroke-width="1.5""##,
             Stroke::MainPath => r##"stroke="#1565c0" stroke-width="3""##,
             Stroke::Curve => r##"stroke="#2e7d32" stroke-width="1.5""##,
+            Stroke::MainCurve => r##"stroke="#2e7d32" stroke-width="2.5""##,
+            Stroke::Construction => r##"stroke="#8d6e63" stroke-width="1.5""##,
+            Stroke::Guide => r##"stroke="#6a1b9a" stroke-width="1.2" stroke-dasharray="9 5""##,
         }
     }
 }
@@ -44,11 +53,13 @@ pub enum Joint {
     Fixed,
     /// Moving.
     Moving,
+    /// A point of the plane, no joint.
+    Mark,
 }
 
 enum Shape {
     Line(Vec<Point>, Stroke),
-    Joint(Point, Joint, &'static str),
+    Joint(Point, Joint, String),
 }
 
 /// A drawing in the making.
@@ -112,9 +123,9 @@ impl Canvas {
     }
 
     /// A joint and its name.
-    pub fn joint(&mut self, at: Point, joint: Joint, name: &'static str) {
+    pub fn joint(&mut self, at: Point, joint: Joint, name: &str) {
         self.show(at);
-        self.shapes.push(Shape::Joint(at, joint, name));
+        self.shapes.push(Shape::Joint(at, joint, name.to_owned()));
     }
 
     /// A line of the legend.
@@ -192,9 +203,9 @@ impl Canvas {
         svg
     }
 
-    fn joints(&self) -> impl Iterator<Item = (Point, Joint, &'static str)> {
+    fn joints(&self) -> impl Iterator<Item = (Point, Joint, &str)> {
         self.shapes.iter().filter_map(|shape| match shape {
-            Shape::Joint(at, joint, name) => Some((*at, *joint, *name)),
+            Shape::Joint(at, joint, name) => Some((*at, *joint, name.as_str())),
             Shape::Line(..) => None,
         })
     }
@@ -249,10 +260,13 @@ fn draw_joint(svg: &mut String, [x, y]: Point, joint: Joint, name: &str, [u, v]:
             r##"<path d="M{x:.1} {y:.1} l-11 18 h22 z" fill="#eceff1" stroke="#546e7a" stroke-width="1.5"/>"##
         );
     }
-    let _ = writeln!(
-        svg,
-        r##"<circle cx="{x:.1}" cy="{y:.1}" r="5" fill="#ffffff" stroke="#263238" stroke-width="2"/>"##
-    );
+    let look = match joint {
+        Joint::Mark => r##"r="4" fill="#263238""##,
+        Joint::Fixed | Joint::Moving => {
+            r##"r="5" fill="#ffffff" stroke="#263238" stroke-width="2""##
+        }
+    };
+    let _ = writeln!(svg, r##"<circle cx="{x:.1}" cy="{y:.1}" {look}/>"##);
     // The halo is a text of its own: not every viewer paints outlines below fillings.
     for halo in [r##"stroke="#ffffff" stroke-width="4""##, ""] {
         let _ = writeln!(

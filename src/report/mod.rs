@@ -1,10 +1,14 @@
 //! Pictures of answers.
 
 mod canvas;
+mod centerpoint_curve;
 mod complex;
 mod contour;
 mod focal_mechanism;
+mod frames;
 mod hart;
+mod poles;
+mod three_positions;
 
 use serde_json::Value;
 
@@ -12,8 +16,11 @@ use serde_json::Value;
 /// with nothing to show.
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
+        "centerpoint-curve" => centerpoint_curve::picture(answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),
+        "poles" => poles::picture(problem, answer),
+        "three-positions" => three_positions::picture(problem, answer),
         _ => None,
     }
 }
@@ -31,4 +38,18 @@ fn number(value: &Value) -> Option<f64> {
     };
     let rational = crate::number::text::parse_rational(&text).ok()?;
     Some(rational.to_f64()).filter(|x| x.is_finite())
+}
+
+/// A finite point of an answer.
+fn finite_point(value: &Value) -> Option<canvas::Point> {
+    match value.as_array()?.as_slice() {
+        [x, y] => Some([number(x)?, number(y)?]),
+        _ => None,
+    }
+}
+
+/// So many numbers.
+fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let list: Option<Vec<f64>> = value.as_array()?.iter().map(number).collect();
+    list?.try_into().ok()
 }

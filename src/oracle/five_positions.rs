@@ -1,0 +1,422 @@
+//! `five-positions`: all Burmester pairs, with proof, and the linkages that they make.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+use serde_json::{Map, Value, json};
+
+use super::geometry::primitive;
+use super::input::Fields;
+use super::linkages;
+use super::numeral::{Numeral, together};
+use super::positions::Given;
+use super::sharpen::{Attempt, sharpen};
+use super::{Arithmetic, ProblemError, Request};
+use crate::finite::five_positions::conditions::finite_pair;
+use crate::finite::five_positions::conics::{self, Isolated, Pairs, Place};
+use crate::finite::five_positions::families::{self, Family};
+use crate::finite::five_positions::{enclosed, krawczyk};
+use crate::finite::positions::Positions;
+use crate::number::{Ball, Complex, Exact, Number};
+use crate::plane::Point;
+use crate::plane::displacement::Displacement;
+
+/// Reads and solves the problem.
+pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
+    fields.only(&["positions"])?;
+    let given = Given::read(fields, 5, 5)?;
+    let mut answer = match request.arithmetic {
+        Arithmetic::Float => of_floats(&given, request),
+        Arithmetic::Certified => certified(&given, request.digits),
+    };
+    if let Some(angles) = given.fitted(request) {
+        answer.insert("fitted_angles".into(), angles);
+    }
+    Ok(answer)
+}
+
+type Five<K> = [Displacement<K>; 5];
+
+fn certified(given: &Given, digits: u32) -> Map<String, Value> {
+    let rational = given.rational().and_then(|positions| five(&positions));
+    let exact = rational.as_ref().map(|five| (five, conics::pairs(five)));
+    sharpen(digits, |attempt| {
+        let bits = attempt.bits;
+        let positions = five(&given.rounded::<Ball>(&bits));
+        let found = match (&exact, &positions) {
+            (Some((five, pairs)), _) => Found::exact(five, pairs.as_ref(), bits),
+            (None, Some(positions)) => Found::enclosed(positions, bits),
+            (None, None) => None,
+        };
+        match (found, positions) {
+            (Some(found), Some(positions)) => Writer { attempt, positions }.answer(&found),
+            _ => undecided(attempt),
+        }
+    })
+}
+
+/// Floats are rational numbers: solved exactly, and rounded.
+fn of_floats(given: &Given, request: &Request) -> Map<String, Value> {
+    let mut attempt = Attempt::new(request.digits.min(15), 192);
+    let floats = given.rounded::<f64>(&());
+    let exact =
+        |x: &Number<f64>| Number::<Exact>::from(Rational::from_f64(x.0).unwrap_or_default());
+    let point = |z: &Point<f64>| Number::complex(exact(z.re()), exact(z.im()));
+    let displacements = floats.displacements().iter().map(|d| Displacement {
+        rotation: point(&d.rotation),
+        translation: point(&d.translation),
+    });
+    let displacements: Vec<Displacement<Exact>> = displacements.collect();
+    let Ok(five) = <Five<Exact>>::try_from(displacements) else {
+        return undecided(&mut attempt);
+    };
+    let pairs = conics::pairs(&five);
+    let ball = |z: &Point<Exact>| {
+        let part =
+            |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
+        Number::complex(part(z.re()), part(z.im()))
+    };
+    let positions = five.each_ref().map(|d| Displacement {
+        rotation: ball(&d.rotation),
+        translation: ball(&d.translation),
+    });
+    let Some(found) = Found::exact(&five, pairs.as_ref(), attempt.bits) else {
+        return undecided(&mut attempt);
+    };
+    let mut answer = Writer {
+        attempt: &mut attempt,
+        positions,
+    }
+    .answer(&found);
+    answer.remove("certificate");
+    answer.values_mut().for_each(into_floats);
+    answer
+}
+
+/// Certified numbers become plain ones.
+fn into_floats(value: &mut Value) {
+    if let Some(float) = super::output::as_float(value) {
+        *value = json!(float);
+        return;
+    }
+    match value {
+        Value::Array(members) => members.iter_mut().for_each(into_floats),
+        Value::Object(fields) => fields.values_mut().for_each(into_floats),
+        _ => {}
+    }
+}
+
+fn undecided(attempt: &mut Attempt) -> Map<String, Value> {
+    let names = [
+        "pairs",
+        "complex_pairs",
+        "at_infinity",
+        "family",
+        "eliminant",
+        "counts",
+        "linkages",
+    ];
+    let mut answer = Map::new();
+    for name in names {
+        let optional = name == "family" || name == "eliminant";
+        let value = if optional {
+            Value::Null
+        } else {
+            attempt.decided(name, None)
+        };
+        answer.insert(name.into(), value);
+    }
+    answer.insert("certificate".into(), Value::Null);
+    answer
+}
+
+fn five<K: crate::number::Kind>(positions: &Positions<K>) -> Option<Five<K>> {
+    positions.displacements().first_chunk().cloned()
+}
+
+/// A real pair with its coordinates h, x, y, X, Y, p, q.
+struct Real {
+    coordinates: [Number<Ball>; 7],
+    place: Place,
+    multiplicity: usize,
+}
+
+/// One of two conjugate pairs.
+struct Couple {
+    coordinates: [Number<Complex<Ball>>; 7],
+    place: Place,
+    multiplicity: usize,
+}
+
+/// All that was found, whatever the route.
+struct Found {
+    real: Vec<Real>,
+    complex: Vec<Couple>,
+    family: Option<Family>,
+    eliminant: Option<Vec<Rational>>,
+    method: &'static str,
+}
+
+impl Found {
+    fn exact(five: &Five<Exact>, pairs: Option<&Pairs>, bits: u32) -> Option<Found> {
+        match pairs? {
+            Pairs::Isolated(isolated) => Some(Found::isolated(isolated, bits)),
+            Pairs::Families => Some(Found {
+                real: Vec::new(),
+                complex: Vec::new(),
+                family: families::family(five),
+                eliminant: None,
+                method: "exact linear algebra: the conditions depend on each other",
+            }),
+        }
+    }
+
+    fn isolated(isolated: &Isolated, bits: u32) -> Found {
+        let real = isolated.real(bits).into_iter().map(|pair| Real {
+            coordinates: pair.coordinates,
+            place: pair.place,
+            multiplicity: pair.multiplicity,
+        });
+        let complex = isolated.complex(bits).into_iter().map(|pair| Couple {
+            coordinates: pair.coordinates,
+            place: pair.place,
+            multiplicity: pair.multiplicity,
+        });
+        let coefficients = isolated.eliminant().map(|eliminant| {
+            let coefficients = eliminant.coefficients().iter().rev();
+            coefficients
+                .filter_map(|c| c.0.rational().cloned())
+                .collect()
+        });
+        Found {
+            real: real.collect(),
+            complex: complex.collect(),
+            family: None,
+            eliminant: coefficients,
+            method: "exact eliminant of two conics, all of its four roots isolated",
+        }
+    }
+
+    /// `None` where the enclosures cannot tell whether a pair is at infinity.
+    fn enclosed(positions: &Five<Ball>, bits: u32) -> Option<Found> {
+        let pairs = enclosed::pairs(positions, bits)?;
+        let finite = |h: crate::number::Truth| h.is_no().then_some(Place::Finite);
+        let real = pairs.real.into_iter().map(|coordinates| {
+            Some(Real {
+                place: finite(coordinates[0].is_zero())?,
+                coordinates,
+                multiplicity: 1,
+            })
+        });
+        let complex = pairs.complex.into_iter().map(|coordinates| {
+            Some(Couple {
+                place: finite(coordinates[0].is_zero())?,
+                coordinates,
+                multiplicity: 1,
+            })
+        });
+        Some(Found {
+            real: real.collect::<Option<_>>()?,
+            complex: complex.collect::<Option<_>>()?,
+            family: None,
+            eliminant: None,
+            method: "eliminant of two conics in enclosures, Newton's interval test for all four roots",
+        })
+    }
+}
+
+/// Writes what was found.
+struct Writer<'a> {
+    attempt: &'a mut Attempt,
+    positions: Five<Ball>,
+}
+
+impl Writer<'_> {
+    fn answer(&mut self, found: &Found) -> Map<String, Value> {
+        let mut pairs: Vec<(&Real, [Point<Ball>; 2])> = found
+            .real
+            .iter()
+            .filter(|pair| pair.place == Place::Finite)
+            .map(|pair| (pair, finite_pair(&pair.coordinates)))
+            .collect();
+        pairs.sort_by(|(_, a), (_, b)| by_coordinates(&a[0], &b[0]));
+        let mut answer = Map::new();
+        let listed: Vec<Value> = pairs
+            .iter()
+            .map(|(pair, points)| self.pair(pair, points))
+            .collect();
+        answer.insert("pairs".into(), json!(listed));
+        let complex: Vec<Value> = found
+            .complex
+            .iter()
+            .filter(|pair| pair.place == Place::Finite)
+            .flat_map(|pair| self.couple(pair))
+            .collect();
+        let infinite: Vec<Value> = self.at_infinity(found);
+        answer.insert("complex_pairs".into(), json!(complex));
+        answer.insert("at_infinity".into(), json!(infinite));
+        let family = found.family.as_ref().map(|family| self.family(family));
+        answer.insert("family".into(), json!(family));
+        let eliminant = found.eliminant.as_ref().map(|coefficients| {
+            let integers = primitive(coefficients).into_iter();
+            integers
+                .map(|integer| integer.to_string())
+                .collect::<Vec<_>>()
+        });
+        answer.insert("eliminant".into(), json!(eliminant));
+        answer.insert("counts".into(), counts(found));
+        let points: Vec<[Point<Ball>; 2]> =
+            pairs.iter().map(|(_, points)| points.clone()).collect();
+        let linkages = linkages::all(self.attempt, &self.positions, &points);
+        answer.insert("linkages".into(), json!(linkages));
+        answer.insert("certificate".into(), self.certificate(found, &points));
+        answer
+    }
+
+    fn pair(&mut self, pair: &Real, [z, m]: &[Point<Ball>; 2]) -> Value {
+        json!({
+            "circlepoint": self.attempt.finite_point("pairs", z),
+            "center": self.attempt.finite_point("pairs", m),
+            "multiplicity": pair.multiplicity,
+        })
+    }
+
+    /// Both of two conjugate pairs.
+    fn couple(&mut self, pair: &Couple) -> [Value; 2] {
+        let [h, x, y, cx, cy, ..] = &pair.coordinates;
+        let parts = [x / h, y / h, cx / h, cy / h];
+        let mut one = |conjugate: bool| {
+            let parts = parts
+                .each_ref()
+                .map(|part| if conjugate { part.conj() } else { part.clone() });
+            let [x, y, cx, cy] = parts;
+            json!({
+                "circlepoint": self.complex_point(&[x, y]),
+                "center": self.complex_point(&[cx, cy]),
+                "multiplicity": pair.multiplicity,
+            })
+        };
+        [one(false), one(true)]
+    }
+
+    fn complex_point(&mut self, [x, y]: &[Number<Complex<Ball>>; 2]) -> Value {
+        let parts = [x.re(), x.im(), y.re(), y.im()].map(|part| Numeral::Enclosed(part.clone()));
+        let shown = together(&parts, self.attempt.digits, self.attempt.bits);
+        let point = shown.as_deref().and_then(|list| match list {
+            [a, b, c, d] => Some(json!([{"re": a, "im": b}, {"re": c, "im": d}])),
+            _ => None,
+        });
+        self.attempt.decided("complex_pairs", point)
+    }
+
+    fn at_infinity(&mut self, found: &Found) -> Vec<Value> {
+        let mut list = Vec::new();
+        for pair in &found.real {
+            let [_, x, y, cx, cy, p, q] = &pair.coordinates;
+            let w = Number::complex(p.clone(), q.clone());
+            let value = match pair.place {
+                Place::Finite => continue,
+                Place::CenterAtInfinity => {
+                    let z = w / Number::complex(cx.clone(), -cy);
+                    json!({
+                        "kind": "center",
+                        "circlepoint": self.attempt.finite_point("at_infinity", &z),
+                        "direction": self.direction([cx, cy]),
+                    })
+                }
+                Place::CirclepointAtInfinity => {
+                    let m = (w / Number::complex(x.clone(), y.clone())).conj();
+                    json!({
+                        "kind": "circlepoint",
+                        "direction": self.direction([x, y]),
+                        "center": self.attempt.finite_point("at_infinity", &m),
+                    })
+                }
+                Place::BothAtInfinity | Place::Isotropic => json!({"kind": "isotropic"}),
+            };
+            list.extend(std::iter::repeat_n(value, pair.multiplicity));
+        }
+        for pair in found
+            .complex
+            .iter()
+            .filter(|pair| pair.place != Place::Finite)
+        {
+            let value = json!({"kind": "isotropic"});
+            list.extend(std::iter::repeat_n(value, 2 * pair.multiplicity));
+        }
+        list
+    }
+
+    fn direction(&mut self, [x, y]: [&Number<Ball>; 2]) -> Value {
+        let direction = self.attempt.direction(&[x.clone(), y.clone()]);
+        self.attempt.decided("at_infinity", direction)
+    }
+
+    fn family(&mut self, family: &Family) -> Value {
+        match family {
+            Family::Plane => json!({"kind": "plane"}),
+            Family::PlaneOfLines(direction) => {
+                let [x, y] = [direction.re(), direction.im()];
+                let direction = self.attempt.direction(&[x.clone(), y.clone()]);
+                json!({"kind": "plane", "center": {"at_infinity": direction}})
+            }
+            Family::CirclepointCubic(cubic) => {
+                let coefficients = self.attempt.coefficients("family", cubic.coefficients());
+                json!({"kind": "circlepoint-cubic", "coefficients": coefficients})
+            }
+            Family::Line => json!({"kind": "line"}),
+            Family::PointWithAnyCenter(point) => {
+                let point = self.attempt.finite_point("family", point);
+                json!({"kind": "point-with-any-center", "circlepoint": point})
+            }
+        }
+    }
+
+    fn certificate(&self, found: &Found, points: &[[Point<Ball>; 2]]) -> Value {
+        let bits = self.attempt.bits;
+        let verified: Vec<bool> = points
+            .iter()
+            .map(|[z, m]| krawczyk::holds_one_pair(&self.positions, [z, m], bits))
+            .collect();
+        json!({"method": found.method, "bits": bits, "krawczyk": verified})
+    }
+}
+
+fn by_coordinates(a: &Point<Ball>, b: &Point<Ball>) -> Ordering {
+    let part = |x: &Number<Ball>| x.0.midpoint_rational();
+    let key = |z: &Point<Ball>| (part(z.re()), part(z.im()));
+    let ((x, y), (u, v)) = (key(a), key(b));
+    if a.re().compare(b.re()).is_some_and(Ordering::is_ne) {
+        return x.cmp(&u);
+    }
+    y.cmp(&v)
+}
+
+fn counts(found: &Found) -> Value {
+    let finite = |place: Place| place == Place::Finite;
+    let real: usize = found
+        .real
+        .iter()
+        .filter(|pair| finite(pair.place))
+        .map(|pair| pair.multiplicity)
+        .sum();
+    let complex: usize = found
+        .complex
+        .iter()
+        .filter(|pair| finite(pair.place))
+        .map(|pair| 2 * pair.multiplicity)
+        .sum();
+    let infinite: usize = found
+        .real
+        .iter()
+        .filter(|pair| !finite(pair.place))
+        .map(|pair| pair.multiplicity)
+        .sum();
+    let isotropic: usize = found
+        .complex
+        .iter()
+        .filter(|pair| !finite(pair.place))
+        .map(|pair| 2 * pair.multiplicity)
+        .sum();
+    json!({"real": real, "complex": complex, "at_infinity": infinite + isotropic})
+}
