@@ -17,12 +17,14 @@ use burmester::number::{Ball, Exact, Number, Real, Truth};
 use burmester::plane::{Angle, relation};
 use burmester::scenes::check::Basis;
 use burmester::scenes::free::{Given, Random, Symbols};
-use burmester::scenes::{Free, Scene, Unbuilt, checks, find, find_check, scenes};
+use burmester::scenes::{
+    Free, Scene, Unbuilt, checks, find, find_check, find_table, scenes, tables,
+};
 use rug::Rational;
 use seed::rounds;
 
 /// Scenes without a form for all values of their parameters, and why.
-const NOT_SYMBOLIC: [(&str, &str); 6] = [
+const NOT_SYMBOLIC: [(&str, &str); 15] = [
     ("wunderlich1968/figure-2-of-any-shape", "the winding number"),
     (
         "wunderlich1968/focal-cubic",
@@ -33,12 +35,39 @@ const NOT_SYMBOLIC: [(&str, &str); 6] = [
         "an order that holds for all values",
     ),
     ("wunderlich1968/revolving-coupler", "which of two lengths"),
+    (
+        "filemon1970/angle-of-the-asymptote",
+        "an angle between 0 and pi",
+    ),
+    (
+        "filemon1970/construction-of-both-pairs",
+        "those of the second place",
+    ),
     ("filemon1973/pole-quadrilateral", "sides without an order"),
+    ("filemon1973/any-shape", "numbers of real tangents"),
+    ("filemon1973/point-pairs", "numbers of real tangents"),
+    ("filemon1973/tangents-of-a-kite", "numbers of real tangents"),
     ("tesar1964/slider-crank", "the sign of the discriminant"),
+    ("kaufman/circuits", "the number of real roots"),
+    ("tesar1964/five-positions", "the solution of four linear"),
+    (
+        "tesar1964/five-positions-on-a-line",
+        "the solution of four linear",
+    ),
+    (
+        "tesar1964/two-known-roots",
+        "a quotient of polynomials in fourteen",
+    ),
 ];
 
 /// Scenes that need a decision which rounded parameters do not allow.
-const NOT_IN_BALLS: [&str; 1] = ["wunderlich1968/focal-cubic-of-a-parallelogram"];
+const NOT_IN_BALLS: [&str; 5] = [
+    "wunderlich1968/focal-cubic-of-a-parallelogram",
+    "filemon1973/node-of-case-A",
+    "filemon1973/node-of-case-B",
+    "filemon1973/bisectors",
+    "filemon1973/tangents-of-a-kite",
+];
 
 /// All scenes that can be built with rounded parameters.
 fn scenes_of_rounded_numbers() -> impl Iterator<Item = &'static Scene> {
@@ -425,6 +454,24 @@ fn every_check_holds_and_rejects_its_wrong_variant() {
         assert!(find_check(check.name).is_some_and(|found| found.summary == check.summary));
     }
     assert!(find_check("no-such-check").is_none());
+}
+
+#[test]
+fn every_table_has_each_cell_once_and_rejects_its_wrong_variant() {
+    assert!(!tables().is_empty());
+    for table in tables() {
+        let computed = (table.run)().unwrap();
+        assert_eq!(computed.wrong_variant, Truth::No, "{}", table.name);
+        assert!(computed.instances > 0, "{} ran on nothing", table.name);
+        let places: BTreeSet<_> = computed
+            .cells
+            .iter()
+            .map(|cell| (cell.part, cell.row, cell.column))
+            .collect();
+        assert_eq!(places.len(), computed.cells.len(), "{}", table.name);
+        assert!(find_table(table.name).is_some_and(|found| found.summary == table.summary));
+    }
+    assert!(find_table("no-such-table").is_none());
 }
 
 /// The sides are those between the poles, and U and Z are what their names say.

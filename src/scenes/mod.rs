@@ -6,14 +6,18 @@
 //! numbers of a printed example.
 
 pub mod check;
+mod filemon1970;
 mod filemon1973;
 pub mod free;
+mod kaufman;
 mod registry;
 mod scene;
+pub mod table;
 mod tesar1964;
 mod wunderlich1968;
 
 pub use check::Check;
 pub use free::{Free, Unbuilt};
-pub use registry::{checks, find, find_check, scenes};
+pub use registry::{checks, find, find_check, find_table, scenes, tables};
 pub use scene::{Scene, Symbol};
+pub use table::Table;

@@ -1,8 +1,9 @@
-//! The tables of all scenes and checks.
+//! The lists of all scenes, checks and tables.
 
 use super::check::Check;
 use super::scene::Scene;
-use super::{filemon1973, tesar1964, wunderlich1968};
+use super::table::Table;
+use super::{filemon1970, filemon1973, kaufman, tesar1964, wunderlich1968};
 
 /// All scenes, grouped by source.
 pub fn scenes() -> &'static [Scene] {
@@ -22,8 +23,56 @@ pub fn scenes() -> &'static [Scene] {
         wunderlich1968::symmetric_position::SCENE,
         wunderlich1968::hart::SCENE,
         wunderlich1968::hart_kite::SCENE,
+        filemon1970::visual_angles::RIGHT_ANGLES,
+        filemon1970::visual_angles::SCENE,
+        filemon1970::asymptote::ANY_DIRECTION,
+        filemon1970::asymptote::SCENE,
+        filemon1970::asymptote::ANGLE,
+        filemon1970::both_asymptotes::SCENE,
+        filemon1970::two_positions::SCENE,
+        filemon1970::pole_system::SCENE,
+        filemon1970::characteristic_points::SCENE,
+        filemon1970::characteristic_points::CENTERS,
+        filemon1970::construction::SCENE,
+        filemon1970::construction::BOTH_PLACES,
+        filemon1970::infinite_links::CENTER,
+        filemon1970::infinite_links::CIRCLEPOINT,
         filemon1973::pole_quadrilateral::SCENE,
+        filemon1973::oblique_axes::SCENE,
+        filemon1973::sides_and_tangents::SCENE,
+        filemon1973::slopes::SCENE,
+        filemon1973::any_shape::SCENE,
+        filemon1973::tangents_of_pairs::SCENE,
+        filemon1973::node::ADJACENT,
+        filemon1973::node::OPPOSITE,
+        filemon1973::node::BISECTORS,
+        filemon1973::nodal_curve::SCENE,
+        filemon1973::kite::SCENE,
+        filemon1973::kite::TANGENTS,
+        filemon1973::focus::SCENE,
         tesar1964::slider_crank::SCENE,
+        tesar1964::moving_plane::SCENE,
+        tesar1964::circlepoint::SCENE,
+        tesar1964::circlepoint::THREE_PLACES,
+        tesar1964::burmester_pair::SCENE,
+        tesar1964::point_on_a_line::SCENE,
+        tesar1964::five_positions::SCENE,
+        tesar1964::conics::ELIMINANT,
+        tesar1964::conics::KNOWN_ROOTS,
+        tesar1964::conics::COMMON_POINT,
+        tesar1964::five_positions_on_a_line::SCENE,
+        tesar1964::known_center::SCENE,
+        tesar1964::positions_on_a_line::SCENE,
+        kaufman::poles::SCENE,
+        kaufman::two_poles::SCENE,
+        kaufman::dyad::SCENE,
+        kaufman::three_positions::SCENE,
+        kaufman::compatibility_triangle::SCENE,
+        kaufman::circuits::SCENE,
+        kaufman::linear_equations::TWO,
+        kaufman::linear_equations::DEPENDENT,
+        kaufman::linear_equations::THREE,
+        kaufman::linear_equations::THREE_UNKNOWNS,
     ]
 }
 
@@ -40,10 +89,36 @@ pub fn checks() -> &'static [Check] {
         wunderlich1968::foci::CHECK,
         wunderlich1968::every_point::CHECK,
         wunderlich1968::quadratics::CHECK,
+        kaufman::opposite_pole_pairs::CHECK,
+        kaufman::equal_angles::CENTERPOINTS,
+        kaufman::equal_angles::CIRCLEPOINTS,
+        kaufman::construction_from_an_angle::CHECK,
+        kaufman::compatibility_determinant::CHECK,
+        kaufman::which_can_be_solved::EQUATIONS,
+        kaufman::which_can_be_solved::UNKNOWNS,
+        filemon1973::discriminant::CHECK,
+        filemon1973::inner_arcs::CHECK,
+        filemon1973::convex_quadrilateral::CHECK,
+        filemon1973::focus_divides::CHECK,
+        filemon1973::inflexions::CHECK,
+        filemon1973::even_branch::CHECK,
+        filemon1973::disintegrating::CHECK,
+        filemon1970::same_type::CHECK,
+        filemon1970::twelve_links::CHECK,
     ]
 }
 
 /// The check of this name.
 pub fn find_check(name: &str) -> Option<&'static Check> {
     checks().iter().find(|check| check.name == name)
+}
+
+/// All tables, grouped by source.
+pub fn tables() -> &'static [Table] {
+    &[filemon1973::tables::TANGENTS, filemon1973::tables::CASES]
+}
+
+/// The table of this name.
+pub fn find_table(name: &str) -> Option<&'static Table> {
+    tables().iter().find(|table| table.name == name)
 }
