@@ -9,7 +9,7 @@ use super::poles::{self, label};
 use super::positions::{Given, Task};
 use super::sharpen::Attempt;
 use super::{ProblemError, Request};
-use crate::finite::four_positions::viewing_angles;
+use crate::finite::four_positions::{circle_conditions, isotropic, loop_closure, viewing_angles};
 use crate::finite::positions::Positions;
 use crate::finite::quadrilateral::{self, Extremes, OPPOSITE_POLES, Shape};
 use crate::plane::Point;
@@ -35,8 +35,8 @@ impl Task for Curves {
     ) -> Map<String, Value> {
         let mut answer = poles::both(positions, attempt);
         let curves = [
-            ("centerpoint", viewing_angles::centerpoint_cubic(positions)),
-            ("circlepoint", viewing_angles::circlepoint_cubic(positions)),
+            ("centerpoint", by_all_routes(positions)),
+            ("circlepoint", by_all_routes(&positions.inverse())),
         ];
         for (name, cubic) in curves {
             let curve = cubic.map(|cubic| curve(name, &cubic, attempt));
@@ -50,6 +50,20 @@ impl Task for Curves {
         answer.insert("quadrilaterals".into(), json!(quadrilaterals));
         answer
     }
+}
+
+/// The curve of the centers, if no route contradicts it; floats, which round without saying so, cannot
+/// tell.
+fn by_all_routes<K: Shown>(positions: &Positions<K>) -> Option<Cubic<K>> {
+    let cubic = viewing_angles::centerpoint_cubic(positions)?;
+    let four = positions.first_four()?;
+    let others = [
+        isotropic::centerpoint_cubic(positions)?,
+        circle_conditions::centerpoint_cubic(four)?,
+        loop_closure::centerpoint_cubic(four)?,
+    ];
+    let contradicted = others.iter().any(|other| cubic.equals(other).is_no());
+    (K::ROUNDS || !contradicted).then_some(cubic)
 }
 
 fn curve<K: Shown>(name: &str, cubic: &Cubic<K>, attempt: &mut Attempt) -> Map<String, Value> {

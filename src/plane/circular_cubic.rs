@@ -52,6 +52,19 @@ impl<K: Kind> Cubic<K> {
         &self.0
     }
 
+    /// Whether two cubics are the same curve: their coefficients are proportional. The zero polynomial
+    /// is the same as itself only.
+    pub fn equals(&self, other: &Self) -> Truth {
+        let vanishes = |cubic: &Self| Truth::all(cubic.0.iter().map(Number::is_zero));
+        let mut minors = Truth::Yes;
+        for (i, (a, b)) in self.0.iter().zip(&other.0).enumerate() {
+            for (c, d) in self.0.iter().zip(&other.0).skip(i + 1) {
+                minors = minors & (a * d - b * c).is_zero();
+            }
+        }
+        minors & vanishes(self).iff(vanishes(other))
+    }
+
     /// The form of order 3 at [x : y : w], zero on the cubic.
     pub fn at_projective(&self, point: &ProjectivePoint<K>) -> Number<K> {
         let [x, y, w] = point.coordinates();
