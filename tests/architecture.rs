@@ -184,3 +184,24 @@ fn the_walls_can_be_seen() {
     let found: Vec<String> = imports(sample).into_iter().collect();
     assert_eq!(found, ["number", "plane", "scenes"]);
 }
+
+#[test]
+fn routes_of_one_quantity_do_not_import_each_other() {
+    let folder = Path::new("src/finite/four_positions");
+    let routes: Vec<PathBuf> = files_below(folder)
+        .into_iter()
+        .filter(|file| !file.ends_with("mod.rs"))
+        .collect();
+    assert_eq!(routes.len(), 4, "{routes:?}");
+    for file in &routes {
+        let code = code(file);
+        for other in routes.iter().filter(|other| *other != file) {
+            let name = other.file_stem().unwrap().to_string_lossy();
+            assert!(
+                !code.contains(&*name),
+                "{} names the route {name}",
+                file.display()
+            );
+        }
+    }
+}

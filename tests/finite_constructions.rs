@@ -66,7 +66,7 @@ fn is_pair<K: Kind>(
 }
 
 fn pole<K: Kind>(one: &Displacement<K>, other: &Displacement<K>) -> ProjectivePoint<K> {
-    one.projective_pole(other, &one.half_turn_to(other))
+    one.projective_pole(other)
 }
 
 /// The centerpoint curve: vertices that follow each other share a position.

@@ -14,8 +14,7 @@ mod support;
 use burmester::finite::four_positions::{
     circle_conditions, isotropic, loop_closure, viewing_angles,
 };
-use burmester::finite::positions::Positions;
-use burmester::finite::quadrilateral::{OPPOSITE_POLES, product_of_sums, squared_sides, u_vs_z};
+use burmester::finite::positions::{OPPOSITE_POLES, Positions};
 use burmester::finite::three_positions::{center, circlepoint};
 use burmester::number::poly::{Fraction, Ring};
 use burmester::number::{Ball, Exact, Number, Truth};
@@ -24,6 +23,7 @@ use burmester::plane::curve_type::{CurveType, curve_type};
 use burmester::plane::focal_cubic::FocalCubic;
 use burmester::plane::inflexions::real_inflexions;
 use burmester::plane::projective::{ProjectivePoint, collinear};
+use burmester::plane::quadrilateral::{product_of_sums, squared_sides, u_vs_z};
 use burmester::plane::trace::Trace;
 use burmester::plane::{Angle, Point};
 use proptest::prelude::*;
@@ -469,6 +469,26 @@ fn the_discriminant_is_the_product_of_the_sums_of_sides() {
     let form = FocalCubic::of(&Cubic::focal(&vertices).unwrap()).unwrap();
     let product = product_of_sums(&squared_sides(&vertices));
     assert_eq!(form.discriminant().equals(&product), Truth::Yes);
+}
+
+#[test]
+fn the_product_of_the_sums_is_that_of_all_eight() {
+    let ring = Ring::free(&["p", "q", "r", "s"]).unwrap();
+    let sides: [Number<Fraction>; 4] = ring.numbers();
+    let [p, q, r, s] = &sides;
+    let mut product = Number::one();
+    for signs in 0..8 {
+        let signed = |bit: i32, side: &Number<Fraction>| {
+            if signs >> bit & 1 == 1 {
+                -side
+            } else {
+                side.clone()
+            }
+        };
+        product *= p + signed(0, q) + signed(1, r) + signed(2, s);
+    }
+    let squares = sides.each_ref().map(Number::square);
+    assert_eq!(product_of_sums(&squares).equals(&product), Truth::Yes);
 }
 
 #[test]

@@ -474,7 +474,7 @@ mod displacement {
         fn the_projective_pole_is_the_pole_or_at_infinity_across_the_translation(
             first in displacements(), second in displacements(),
         ) {
-            let pole = first.projective_pole(&second, &first.half_turn_to(&second));
+            let pole = first.projective_pole(&second);
             let shift = &second.translation - &first.translation;
             if yes(first.rotation.equals(&second.rotation)) {
                 prop_assert_eq!(pole.is_determined(), !shift.is_zero());
@@ -484,7 +484,7 @@ mod displacement {
             } else {
                 prop_assert!(same(&pole.finite().unwrap(), &first.pole(&second)));
             }
-            let back = second.projective_pole(&first, &second.half_turn_to(&first));
+            let back = second.projective_pole(&first);
             prop_assert_ne!(pole.equals(&back), Truth::No, "of either before the other");
         }
 
@@ -504,7 +504,7 @@ mod displacement {
             rotation: Number::from(-1),
             translation: point(4, 6),
         };
-        let pole = here.projective_pole(&there, &here.half_turn_to(&there));
+        let pole = here.projective_pole(&there);
         assert!(same(&pole.finite().unwrap(), &point(2, 3)));
     }
 

@@ -79,7 +79,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         let (problem, answer) = solved(&text, &name, &request)?;
         if let Some(file) = &arguments.svg {
             let picture = report::picture(&problem, &answer).ok_or_else(|| {
-                Failure::wrong(format!("{name}: there is no picture of this answer"))
+                Failure::wrong(format!(
+                    "{name}: there is no picture of this answer; solve it without --svg"
+                ))
             })?;
             write_whole(file, &picture)
                 .map_err(|error| Failure::wrong(format!("{}: {error}", file.display())))?;

@@ -33,10 +33,8 @@ pub enum Meets<K> {
 impl<K: Kind> OppositeSides<K> {
     /// The sides P₁₃P₁₄ and P₂₃P₂₄ of four positions; other orders of the positions give the others.
     pub fn of([first, second, third, fourth]: &[Displacement<K>; 4]) -> Self {
-        let pole = |from: &Displacement<K>, to: &Displacement<K>| {
-            from.projective_pole(to, &from.half_turn_to(to))
-        };
-        OppositeSides([first, second].map(|one| [pole(one, third), pole(one, fourth)]))
+        let poles = |one: &Displacement<K>| [third, fourth].map(|other| one.projective_pole(other));
+        OppositeSides([first, second].map(poles))
     }
 
     /// The circles about B₁ and B₂, the same angle α at the first pole of either side; for α = ±90° the

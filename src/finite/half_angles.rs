@@ -22,10 +22,9 @@ pub struct Sight<K> {
 impl<K: Kind> Sight<K> {
     /// From the pole of two positions.
     pub fn of(first: &Displacement<K>, other: &Displacement<K>) -> Self {
-        let half_turn = first.half_turn_to(other);
         Sight {
-            pole: first.projective_pole(other, &half_turn),
-            half_turn,
+            pole: first.projective_pole(other),
+            half_turn: first.half_turn_to(other),
         }
     }
 

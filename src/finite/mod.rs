@@ -8,5 +8,4 @@ pub mod half_angles;
 pub mod pole_four_bar;
 pub mod pole_system;
 pub mod positions;
-pub mod quadrilateral;
 pub mod three_positions;

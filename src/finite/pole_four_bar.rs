@@ -107,16 +107,5 @@ impl<K: Real> PoleFourBar<K> {
 /// Where the midnormals of both joints meet. It is at infinity where the coupler is only shifted,
 /// and is a joint that stays where it is; not determined for equal positions.
 fn pole_of_coupler<K: Kind>(from: &Joints<K>, to: &Joints<K>) -> ProjectivePoint<K> {
-    let start = Displacement::identity();
-    let motion = of_coupler(from, to);
-    start.projective_pole(&motion, &start.half_turn_to(&motion))
-}
-
-/// The displacement that carries a coupler, by its joints, from one place into another.
-pub fn of_coupler<K: Kind>([b, c]: &Joints<K>, [b1, c1]: &Joints<K>) -> Displacement<K> {
-    let rotation = (c1 - b1) / (c - b);
-    Displacement {
-        translation: b1 - &rotation * b,
-        rotation,
-    }
+    Displacement::identity().projective_pole(&Displacement::carrying(from, to))
 }

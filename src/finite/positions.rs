@@ -4,6 +4,14 @@ use crate::number::Kind;
 use crate::plane::displacement::{Displacement, HalfTurn};
 use crate::plane::projective::ProjectivePoint;
 
+/// The three opposite-pole quadrilaterals of positions 0 to 3, by the poles in order: the ends of a
+/// diagonal have no position in common.
+pub const OPPOSITE_POLES: [[(usize, usize); 4]; 3] = [
+    [(0, 1), (1, 2), (2, 3), (0, 3)],
+    [(0, 1), (1, 3), (2, 3), (0, 2)],
+    [(0, 3), (1, 3), (1, 2), (0, 2)],
+];
+
 /// Positions of the moving plane. The turns between them are kept beside the displacements: two
 /// angles that are equal, or differ by half a turn, may be known to do so where cosines and sines
 /// are enclosures only.
@@ -73,7 +81,7 @@ impl<K: Kind> Positions<K> {
         let (i, j) = (i.min(j), i.max(j));
         let place = pairs(self.displacements.len()).position(|pair| pair == (i, j))?;
         let (first, second) = (self.displacements.get(i)?, self.displacements.get(j)?);
-        Some(first.projective_pole(second, self.half_turns.get(place)?))
+        Some(first.pole_by_half_turn(second, self.half_turns.get(place)?))
     }
 
     /// All places i < j, in order.

@@ -1,14 +1,12 @@
 //! Operators, functions and predicates on values.
 
-use std::collections::BTreeMap;
-
 use rug::Rational;
 
 use super::evaluate::{Failure, TOO_LARGE};
 use super::function::Function;
 use super::tree::{Operator, Tree};
 use super::value::Value;
-use crate::number::{Kind, Number, Real, Truth};
+use crate::number::{Kind, Number, Real, Truth, linear};
 use crate::plane::projective::{Line, ProjectivePoint};
 use crate::plane::{Angle, Point, relation};
 
@@ -385,37 +383,11 @@ impl<K: Real> Arguments<'_, K> {
                 self.tree,
             ));
         }
-        let determinant = determinant(&rows);
+        let determinant = linear::determinant(&rows);
         Ok(if determinant.im().is_zero().is_yes() {
             Value::Number(determinant.re().clone())
         } else {
             Value::Point(determinant)
         })
     }
-}
-
-/// Expansion by rows, in which every minor of the last rows is computed once: `minors` has, for every
-/// set of as many columns as rows were taken, the minor of these.
-fn determinant<K: Kind>(rows: &[Vec<Point<K>>]) -> Point<K> {
-    let mut minors: BTreeMap<u32, Point<K>> = BTreeMap::from([(0, Number::one())]);
-    for row in rows.iter().rev() {
-        let mut larger: BTreeMap<u32, Point<K>> = BTreeMap::new();
-        for (columns, minor) in &minors {
-            for (column, entry) in row.iter().enumerate() {
-                if columns >> column & 1 == 1 {
-                    continue;
-                }
-                // The sign is that of the place of the new column among those taken.
-                let before = (columns & ((1 << column) - 1)).count_ones();
-                let term = entry * minor;
-                let term = if before % 2 == 0 { term } else { -term };
-                let sum = larger
-                    .entry(columns | 1 << column)
-                    .or_insert_with(Number::zero);
-                *sum += term;
-            }
-        }
-        minors = larger;
-    }
-    minors.into_values().next().unwrap_or_else(Number::one)
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use rug::Rational;
+use rug::{Integer, Rational};
 
 use super::kind::EXCESSIVE_BITS;
 use super::{Kind, Real, Truth, degrees};
@@ -106,6 +106,26 @@ pub fn rational_sqrt(q: Rational) -> Option<Rational> {
     let (numerator, denominator) = q.into_numer_denom();
     (numerator.is_perfect_square() && denominator.is_perfect_square())
         .then(|| Rational::from((numerator.sqrt(), denominator.sqrt())))
+}
+
+/// The primitive integers in the same ratio, the first that is not zero positive.
+pub fn primitive(list: &[Rational]) -> Vec<Integer> {
+    let denominator = list
+        .iter()
+        .fold(Integer::from(1), |lcm, q| lcm.lcm(q.denom()));
+    let integers: Vec<Integer> = list
+        .iter()
+        .map(|q| q.numer() * Integer::from(&denominator / q.denom()))
+        .collect();
+    let mut gcd = (integers.iter()).fold(Integer::new(), |gcd, integer| gcd.gcd(integer));
+    let first = integers.iter().find(|integer| !integer.is_zero());
+    if first.is_some_and(|integer| integer.cmp0().is_lt()) {
+        gcd = -gcd;
+    }
+    if gcd.is_zero() {
+        return integers;
+    }
+    integers.into_iter().map(|integer| integer / &gcd).collect()
 }
 
 impl fmt::Display for Exact {

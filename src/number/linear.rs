@@ -1,10 +1,12 @@
-//! Systems of linear equations over any real kind.
+//! Systems of linear equations and determinants over any kind.
 
-use super::{Number, Real, Truth};
+use std::collections::BTreeMap;
+
+use super::{Kind, Number, Truth};
 
 /// A basis of the solutions of homogeneous equations, each a row of coefficients. `None` where it
 /// cannot be told which entries vanish.
-pub fn kernel<K: Real>(rows: &[Vec<Number<K>>], unknowns: usize) -> Option<Vec<Vec<Number<K>>>> {
+pub fn kernel<K: Kind>(rows: &[Vec<Number<K>>], unknowns: usize) -> Option<Vec<Vec<Number<K>>>> {
     let mut rows = rows.to_vec();
     let mut pivots: Vec<usize> = Vec::new();
     // Columns in any order: with enclosures the first entry that is surely not zero will do.
@@ -29,7 +31,7 @@ pub fn kernel<K: Real>(rows: &[Vec<Number<K>>], unknowns: usize) -> Option<Vec<V
 
 /// The first entry that is surely not zero; nothing where all are zero, `None` where that cannot be
 /// told.
-fn pivot<K: Real>(
+fn pivot<K: Kind>(
     rows: &[Vec<Number<K>>],
     unknowns: usize,
     taken: &[usize],
@@ -48,7 +50,7 @@ fn pivot<K: Real>(
 }
 
 /// Makes the pivot one and the rest of its column zero.
-fn eliminate<K: Real>(rows: &mut [Vec<Number<K>>], place: usize, column: usize) -> Option<()> {
+fn eliminate<K: Kind>(rows: &mut [Vec<Number<K>>], place: usize, column: usize) -> Option<()> {
     let row = rows.get(place)?.clone();
     let inverse = row.get(column)?.inverse();
     let row: Vec<Number<K>> = row.iter().map(|entry| entry * &inverse).collect();
@@ -67,4 +69,64 @@ fn eliminate<K: Real>(rows: &mut [Vec<Number<K>>], place: usize, column: usize) 
         }
     }
     Some(())
+}
+
+/// The solution of as many equations as unknowns, each a row of coefficients and the right side.
+/// `None` where there is not exactly one, and where that cannot be told.
+pub fn solution<K: Kind>(rows: &[Vec<Number<K>>]) -> Option<Vec<Number<K>>> {
+    let unknowns = rows.len();
+    let basis = kernel(rows, unknowns + 1)?;
+    let [vector] = basis.as_slice() else {
+        return None;
+    };
+    // The right side stands on the left with the factor −1.
+    let (last, vector) = vector.split_last()?;
+    (!last.is_zero().is_yes()).then(|| vector.iter().map(|x| -(x / last)).collect())
+}
+
+/// How many rows are independent; `None` where that cannot be told.
+pub fn rank<K: Kind>(rows: &[Vec<Number<K>>], columns: usize) -> Option<usize> {
+    Some(columns - kernel(rows, columns)?.len())
+}
+
+/// The determinant of a square of numbers.
+///
+/// Expansion by rows, in which every minor of the last rows is computed once: `minors` has, for every
+/// set of as many columns as rows were taken, the minor of these.
+pub fn determinant<K: Kind>(rows: &[impl AsRef<[Number<K>]>]) -> Number<K> {
+    let mut minors: BTreeMap<u32, Number<K>> = BTreeMap::from([(0, Number::one())]);
+    for row in rows.iter().rev() {
+        let mut larger: BTreeMap<u32, Number<K>> = BTreeMap::new();
+        for (columns, minor) in &minors {
+            for (column, entry) in row.as_ref().iter().enumerate() {
+                if columns >> column & 1 == 1 {
+                    continue;
+                }
+                // The sign is that of the place of the new column among those taken.
+                let before = (columns & ((1 << column) - 1)).count_ones();
+                let term = entry * minor;
+                let term = if before % 2 == 0 { term } else { -term };
+                let sum = larger
+                    .entry(columns | 1 << column)
+                    .or_insert_with(Number::zero);
+                *sum += term;
+            }
+        }
+        minors = larger;
+    }
+    minors.into_values().next().unwrap_or_else(Number::one)
+}
+
+/// The determinant without a row and a column.
+pub fn minor<K: Kind>(rows: &[Vec<Number<K>>], row: usize, column: usize) -> Number<K> {
+    let without = |list: &Vec<Number<K>>| -> Vec<Number<K>> {
+        let kept = list
+            .iter()
+            .enumerate()
+            .filter(|(place, _)| *place != column);
+        kept.map(|(_, entry)| entry.clone()).collect()
+    };
+    let kept = rows.iter().enumerate().filter(|(place, _)| *place != row);
+    let rows: Vec<Vec<Number<K>>> = kept.map(|(_, list)| without(list)).collect();
+    determinant(&rows)
 }

@@ -1,8 +1,9 @@
 //! `centerpoint-curve`: both curves of four positions, their type, and the pole quadrilaterals.
 
+use std::cmp::Ordering;
+
 use serde_json::{Map, Value, json};
 
-use super::geometry::relation_sign;
 use super::input::Fields;
 use super::numeral::{Numeral, Shown};
 use super::poles::{self, label};
@@ -10,13 +11,13 @@ use super::positions::{Given, Task};
 use super::sharpen::Attempt;
 use super::{ProblemError, Request};
 use crate::finite::four_positions::{circle_conditions, isotropic, loop_closure, viewing_angles};
-use crate::finite::positions::Positions;
-use crate::finite::quadrilateral::{self, Extremes, OPPOSITE_POLES, Shape};
+use crate::finite::positions::{OPPOSITE_POLES, Positions};
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::curve_type::{self, CurveType};
 use crate::plane::focal_cubic::FocalCubic;
 use crate::plane::projective::ProjectivePoint;
+use crate::plane::quadrilateral::{self, Extremes, Shape};
 
 /// Reads and solves the problem.
 pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
@@ -130,7 +131,10 @@ fn nodes<K: Shown>(
         (CurveType::Nodal, Some(form)) => Some(one(attempt, &form.node())),
         (CurveType::ThreeLines, Some(form)) => Some(one(attempt, &form.focus)),
         (CurveType::LineAndCircle, Some(form)) => of_line_and_circle(form, attempt),
-        (CurveType::TwoLines, _) => Some(one(attempt, &cubic.center_of_conic())),
+        (CurveType::TwoLines, _) => {
+            let center = cubic.beside_line_at_infinity().center();
+            Some(vec![attempt.point("nodes", &center)])
+        }
         _ => Some(Vec::new()),
     }
 }
@@ -162,62 +166,63 @@ fn quadrilateral_of<K: Shown>(
     positions: &Positions<K>,
     attempt: &mut Attempt,
 ) -> Map<String, Value> {
-    let labels: Vec<String> = pairs.iter().map(|(i, j)| label(*i, *j)).collect();
     let poles = pairs.map(|(i, j)| positions.pole(i, j));
     let finite = poles.each_ref().map(|pole| pole.as_ref()?.finite());
-    let mut fields = Map::new();
-    fields.insert("vertices".into(), json!(labels));
     let sides: Vec<Value> = (0..4)
         .map(|i| side(&finite[i], &finite[(i + 1) % 4], attempt))
         .collect();
-    let known = |pole: &Option<ProjectivePoint<K>>| {
-        let pole = pole.as_ref();
-        pole.is_some_and(|pole| {
-            pole.is_finite().is_yes()
-                || !pole.is_finite().is_unknown()
-                || pole.is_determined().is_no()
-        })
-    };
-    let [Some(a), Some(b), Some(c), Some(d)] = finite else {
+    let [shape, u_vs_z, extremes] = match finite {
+        [Some(a), Some(b), Some(c), Some(d)] => described(&[a, b, c, d]),
         // A vertex at infinity, or none: what needs four finite ones does not exist.
-        let decided = poles.iter().all(known);
-        let shape = attempt.decided("quadrilaterals.shape", decided.then(|| json!("degenerate")));
-        fields.insert("shape".into(), shape);
-        fields.insert("sides".into(), json!(sides));
-        fields.insert("u_vs_z".into(), Value::Null);
-        fields.insert("shortest_and_longest".into(), Value::Null);
-        return fields;
+        _ => {
+            let decided = poles.iter().flatten().all(is_known);
+            [
+                decided.then(|| json!("degenerate")),
+                Some(Value::Null),
+                Some(Value::Null),
+            ]
+        }
     };
-    let vertices = [a, b, c, d];
-    let shape = quadrilateral::shape(&vertices).map(|shape| {
-        json!(match shape {
-            Shape::Convex => "convex",
-            Shape::Concave => "concave",
-            Shape::Crossed => "crossed",
-            Shape::Degenerate => "degenerate",
-        })
-    });
-    let u_vs_z = quadrilateral::u_vs_z(&vertices).map(|order| json!(relation_sign(order)));
-    let squares = quadrilateral::squared_sides(&vertices);
-    let extremes = quadrilateral::extremes(&squares).map(|extremes| {
-        json!(match extremes {
-            Extremes::Adjacent => "adjacent",
-            Extremes::Opposite => "opposite",
-            Extremes::Both => "both",
-        })
-    });
+    let labels: Vec<String> = pairs.iter().map(|(i, j)| label(*i, *j)).collect();
+    let mut fields = Map::new();
+    fields.insert("vertices".into(), json!(labels));
     fields.insert(
         "shape".into(),
         attempt.decided("quadrilaterals.shape", shape),
     );
     fields.insert("sides".into(), json!(sides));
-    fields.insert(
-        "u_vs_z".into(),
-        attempt.decided("quadrilaterals.u_vs_z", u_vs_z),
-    );
-    let extremes = attempt.decided("quadrilaterals.shortest_and_longest", extremes);
-    fields.insert("shortest_and_longest".into(), extremes);
+    for (name, value) in [("u_vs_z", u_vs_z), ("shortest_and_longest", extremes)] {
+        let value = attempt.decided(&format!("quadrilaterals.{name}"), value);
+        fields.insert(name.into(), value);
+    }
     fields
+}
+
+/// Whether it is known that a pole is finite, at infinity, or not determined.
+fn is_known<K: Shown>(pole: &ProjectivePoint<K>) -> bool {
+    !pole.is_finite().is_unknown() || pole.is_determined().is_no()
+}
+
+/// Shape, U against Z, and where the shortest and the longest side lie, as far as they are known.
+fn described<K: Shown>(vertices: &[Point<K>; 4]) -> [Option<Value>; 3] {
+    let shape = quadrilateral::shape(vertices).map(|shape| match shape {
+        Shape::Convex => "convex",
+        Shape::Concave => "concave",
+        Shape::Crossed => "crossed",
+        Shape::Degenerate => "degenerate",
+    });
+    let squares = quadrilateral::squared_sides(vertices);
+    let extremes = quadrilateral::extremes(&squares).map(|extremes| match extremes {
+        Extremes::Adjacent => "adjacent",
+        Extremes::Opposite => "opposite",
+        Extremes::Both => "both",
+    });
+    let u_vs_z = quadrilateral::u_vs_z(vertices).map(|order| match order {
+        Ordering::Less => "<",
+        Ordering::Equal => "=",
+        Ordering::Greater => ">",
+    });
+    [shape, u_vs_z, extremes].map(|word| word.map(Value::from))
 }
 
 /// The length of a side between finite poles.

@@ -5,7 +5,6 @@ use std::cmp::Ordering;
 use rug::Rational;
 use serde_json::{Map, Value, json};
 
-use super::geometry::primitive;
 use super::input::Fields;
 use super::linkages;
 use super::numeral::{Numeral, together};
@@ -17,6 +16,7 @@ use crate::finite::five_positions::conics::{self, Isolated, Pairs, Place};
 use crate::finite::five_positions::families::{self, Family};
 use crate::finite::five_positions::{enclosed, krawczyk};
 use crate::finite::positions::Positions;
+use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -148,11 +148,19 @@ struct Couple {
     multiplicity: usize,
 }
 
+/// What there is beside isolated pairs.
+enum Families {
+    None,
+    Known(Family),
+    /// Something that has no name here yet.
+    Unknown,
+}
+
 /// All that was found, whatever the route.
 struct Found {
     real: Vec<Real>,
     complex: Vec<Couple>,
-    family: Option<Family>,
+    family: Families,
     eliminant: Option<Vec<Rational>>,
     method: &'static str,
 }
@@ -164,7 +172,7 @@ impl Found {
             Pairs::Families => Some(Found {
                 real: Vec::new(),
                 complex: Vec::new(),
-                family: families::family(five),
+                family: families::family(five).map_or(Families::Unknown, Families::Known),
                 eliminant: None,
                 method: "exact linear algebra: the conditions depend on each other",
             }),
@@ -191,7 +199,7 @@ impl Found {
         Found {
             real: real.collect(),
             complex: complex.collect(),
-            family: None,
+            family: Families::None,
             eliminant: coefficients,
             method: "exact eliminant of two conics, all of its four roots isolated",
         }
@@ -218,7 +226,7 @@ impl Found {
         Some(Found {
             real: real.collect::<Option<_>>()?,
             complex: complex.collect::<Option<_>>()?,
-            family: None,
+            family: Families::None,
             eliminant: None,
             method: "eliminant of two conics in enclosures, Newton's interval test for all four roots",
         })
@@ -255,8 +263,12 @@ impl Writer<'_> {
         let infinite: Vec<Value> = self.at_infinity(found);
         answer.insert("complex_pairs".into(), json!(complex));
         answer.insert("at_infinity".into(), json!(infinite));
-        let family = found.family.as_ref().map(|family| self.family(family));
-        answer.insert("family".into(), json!(family));
+        let family = match &found.family {
+            Families::None => Value::Null,
+            Families::Known(family) => self.family(family),
+            Families::Unknown => self.attempt.decided("family", None),
+        };
+        answer.insert("family".into(), family);
         let eliminant = found.eliminant.as_ref().map(|coefficients| {
             let integers = primitive(coefficients).into_iter();
             integers
@@ -354,6 +366,7 @@ impl Writer<'_> {
 
     fn family(&mut self, family: &Family) -> Value {
         match family {
+            Family::Empty => Value::Null,
             Family::Plane => json!({"kind": "plane"}),
             Family::PlaneOfLines(direction) => {
                 let [x, y] = [direction.re(), direction.im()];
@@ -364,7 +377,6 @@ impl Writer<'_> {
                 let coefficients = self.attempt.coefficients("family", cubic.coefficients());
                 json!({"kind": "circlepoint-cubic", "coefficients": coefficients})
             }
-            Family::Line => json!({"kind": "line"}),
             Family::PointWithAnyCenter(point) => {
                 let point = self.attempt.finite_point("family", point);
                 json!({"kind": "point-with-any-center", "circlepoint": point})

@@ -1,16 +1,17 @@
 //! Points, lines, curves and turns as they go out.
 
-use std::cmp::Ordering;
+use std::ops::RangeInclusive;
 
-use rug::{Integer, Rational};
+use rug::Rational;
 use serde_json::{Value, json};
 
 use super::numeral::{Numeral, Shown, together};
 use super::output;
 use super::sharpen::Attempt;
-use crate::number::{Ball, Number, Surd};
-use crate::plane::Point;
+use crate::number::exact::primitive;
+use crate::number::{Ball, Number, Surd, Truth};
 use crate::plane::projective::{Line, ProjectivePoint};
+use crate::plane::{Angle, Point};
 
 impl Attempt {
     /// A number.
@@ -138,26 +139,6 @@ fn as_number(value: Value) -> Value {
     }
 }
 
-/// The primitive integers in the same ratio, the first that is not zero positive.
-pub fn primitive(list: &[Rational]) -> Vec<Integer> {
-    let denominator = list
-        .iter()
-        .fold(Integer::from(1), |lcm, q| lcm.lcm(q.denom()));
-    let integers: Vec<Integer> = list
-        .iter()
-        .map(|q| q.numer() * Integer::from(&denominator / q.denom()))
-        .collect();
-    let mut gcd = (integers.iter()).fold(Integer::new(), |gcd, integer| gcd.gcd(integer));
-    let first = integers.iter().find(|integer| !integer.is_zero());
-    if first.is_some_and(|integer| integer.cmp0().is_lt()) {
-        gcd = -gcd;
-    }
-    if gcd.is_zero() {
-        return integers;
-    }
-    integers.into_iter().map(|integer| integer / &gcd).collect()
-}
-
 /// All divided by the largest; where all are zero, themselves.
 fn divided_by_largest<K: Shown>(
     list: &[Number<K>],
@@ -192,20 +173,18 @@ fn exact_degrees<K: Shown>(turn: &Point<K>) -> Option<Rational> {
         exact(&numeral).or_else(|| Some(numeral.rational()?.into()))
     };
     let [x, y] = [part(turn.re())?, part(turn.im())?];
-    let turn = crate::plane::Angle::of(Number::complex(x, y));
-    (-11..=12i32)
-        .map(|step| Rational::from(15 * step))
-        .find(|degrees| {
-            crate::plane::Angle::<Surd>::from_degrees(degrees, &())
-                .is_some_and(|angle| angle.equals(&turn).is_yes())
-        })
+    let turn = Angle::of(Number::complex(x, y));
+    multiple_of_15_degrees(-11..=12, |angle| angle.equals(&turn))
 }
 
-/// A word for an order.
-pub fn relation_sign(order: Ordering) -> &'static str {
-    match order {
-        Ordering::Less => "<",
-        Ordering::Equal => "=",
-        Ordering::Greater => ">",
-    }
+/// The multiple of 15° among these steps that an exact angle is.
+pub fn multiple_of_15_degrees(
+    mut steps: RangeInclusive<i32>,
+    is: impl Fn(&Angle<Surd>) -> Truth,
+) -> Option<Rational> {
+    steps.find_map(|step| {
+        let degrees = Rational::from(15 * step);
+        let angle = Angle::from_degrees(&degrees, &())?;
+        is(&angle).is_yes().then_some(degrees)
+    })
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::geometry::multiple_of_15_degrees;
 use super::input::{self, Fields};
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, ProblemError, Request, output};
@@ -198,7 +199,11 @@ impl Both<'_> {
 
     fn ray(&self, place: usize) -> Option<Value> {
         let exact = self.exact.and_then(|exact| match &exact.rays {
-            Rays::Real(rays) => exact_degrees(rays.get(place)?).map(|q| output::exact(&q)),
+            Rays::Real(rays) => {
+                let ray = rays.get(place)?;
+                multiple_of_15_degrees(0..=11, |angle| angle.equals_modulo_pi(ray))
+                    .map(|q| output::exact(&q))
+            }
             _ => None,
         });
         if let Some(degrees) = exact {
@@ -225,14 +230,4 @@ impl Both<'_> {
 
 fn infinite() -> Value {
     json!({"infinite": true})
-}
-
-/// The degrees of a ray that is a multiple of 15°.
-fn exact_degrees(ray: &Angle<Surd>) -> Option<rug::Rational> {
-    (0..12u32)
-        .map(|step| rug::Rational::from(15 * step))
-        .find(|degrees| {
-            Angle::from_degrees(degrees, &())
-                .is_some_and(|angle| angle.equals_modulo_pi(ray).is_yes())
-        })
 }

@@ -1,5 +1,6 @@
 //! Real cubics, above all circular ones: those through both circular points [1 : ±i : 0].
 
+use super::conic::Conic;
 use super::isotropic::Polynomial;
 use super::projective::{Line, ProjectivePoint};
 use super::{Point, quadrilateral};
@@ -104,15 +105,10 @@ impl<K: Kind> Cubic<K> {
         Truth::all(self.0.iter().take(4).map(Number::is_zero))
     }
 
-    /// Of a conic e x² + f xy + g y² + h x + i y + j with a center, and the line at infinity, the center.
-    /// No value for a parabola.
-    pub fn center_of_conic(&self) -> Point<K> {
-        let [_, _, _, _, e, f, g, h, i, _] = &self.0;
-        let determinant = 4 * e * g - f.square();
-        Number::complex(
-            (f * i - 2 * g * h) / &determinant,
-            (f * h - 2 * e * i) / &determinant,
-        )
+    /// Where the line at infinity is a part of the cubic, what is left: the terms of order 2 at most.
+    pub fn beside_line_at_infinity(&self) -> Conic<K> {
+        let [_, _, _, _, e, f, g, h, i, j] = &self.0;
+        Conic::new([e, f, g, h, i, j].map(Number::clone))
     }
 
     /// Whether the cubic part is divisible by x² + y², so that it is (a x + b y)(x² + y²): the

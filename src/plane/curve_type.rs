@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::Point;
 use super::circular_cubic::Cubic;
+use super::conic::Conic;
 use super::focal_cubic::FocalCubic;
-use crate::number::{Number, Real, Truth};
+use crate::number::{Real, Truth};
 
 /// What a curve consists of. Cubics with an isolated point or a cusp are not among focal cubics: the
 /// discriminant m − 2 Re(ᾱν̄e²) of the lines through the focus is positive on both sides of a zero of
@@ -57,59 +57,32 @@ fn type_of_focal_cubic<K: Real>(curve: &FocalCubic<K>) -> Option<CurveType> {
     }
 }
 
-/// τ|z|² + Re(κz²) + Re(λ̄z) + j, with the line at infinity: what the coefficients of a conic are.
-struct Conic<K> {
-    tau: Number<K>,
-    kappa: Point<K>,
-    lambda: Point<K>,
-    constant: Number<K>,
-}
-
+/// The type where the line at infinity is a part of the curve, from the conic that is left.
 fn type_of_conic<K: Real>(cubic: &Cubic<K>) -> Option<CurveType> {
-    let [_, _, _, _, e, f, g, h, i, j] = cubic.coefficients();
-    let conic = Conic {
-        tau: (e + g) / 2,
-        kappa: Number::complex((e - g) / 2, -f / 2),
-        lambda: Number::complex(h.clone(), i.clone()),
-        constant: j.clone(),
+    let conic = cubic.beside_line_at_infinity();
+    let [a, b, c, ..] = conic.coefficients();
+    let is_circle = a.equals(c) & b.is_zero();
+    let is_rectangular = (a + c).is_zero();
+    let [lines, curve] = match (is_circle, is_rectangular) {
+        (Truth::Yes, Truth::Yes) => return type_of_line(&conic),
+        // A circle of radius zero is a pair of conjugate lines.
+        (Truth::Yes, Truth::No) => [CurveType::ThreeLines, CurveType::LineAndCircle],
+        (Truth::No, Truth::Yes) => [CurveType::TwoLines, CurveType::Hyperbola],
+        _ => return None,
     };
-    match (conic.tau.is_zero(), conic.kappa.is_zero()) {
-        (Truth::Yes, Truth::Yes) => type_of_line(&conic),
-        (Truth::No, Truth::Yes) => type_of_circle(&conic),
-        (Truth::Yes, Truth::No) => type_of_hyperbola(&conic),
-        _ => None,
+    match conic.is_degenerate() {
+        Truth::Yes => Some(lines),
+        Truth::No => Some(curve),
+        Truth::Unknown => None,
     }
 }
 
 fn type_of_line<K: Real>(conic: &Conic<K>) -> Option<CurveType> {
-    match (conic.lambda.is_zero(), conic.constant.is_zero()) {
+    let [.., d, e, f] = conic.coefficients();
+    match (d.is_zero() & e.is_zero(), f.is_zero()) {
         (Truth::No, _) => Some(CurveType::ThreeLines),
         (Truth::Yes, Truth::Yes) => Some(CurveType::EveryPoint),
         (Truth::Yes, Truth::No) => Some(CurveType::NoPoint),
         _ => None,
-    }
-}
-
-/// A circle of radius zero is a pair of conjugate lines.
-fn type_of_circle<K: Real>(conic: &Conic<K>) -> Option<CurveType> {
-    let squared_radius = conic.lambda.norm() - 4 * &conic.tau * &conic.constant;
-    match squared_radius.is_zero() {
-        Truth::Yes => Some(CurveType::ThreeLines),
-        Truth::No => Some(CurveType::LineAndCircle),
-        Truth::Unknown => None,
-    }
-}
-
-/// The center is −λ̄/(2κ) = c̄; the hyperbola is a pair of lines where it passes through its center.
-fn type_of_hyperbola<K: Real>(conic: &Conic<K>) -> Option<CurveType> {
-    // Re(κc²) + Re(λ̄c) + j with 2κc = −λ̄, times 4|κ|².
-    let at_center = (conic.lambda.conj().square() * conic.kappa.conj())
-        .re()
-        .clone()
-        - 4 * &conic.constant * conic.kappa.norm();
-    match at_center.is_zero() {
-        Truth::Yes => Some(CurveType::TwoLines),
-        Truth::No => Some(CurveType::Hyperbola),
-        Truth::Unknown => None,
     }
 }

@@ -23,6 +23,23 @@ impl<K: Kind> Displacement<K> {
         }
     }
 
+    /// The turn e^{iδ} about a point.
+    pub fn about(point: &Point<K>, turn: Point<K>) -> Self {
+        Displacement {
+            translation: point * (1 - &turn),
+            rotation: turn,
+        }
+    }
+
+    /// The displacement that carries a segment, by its ends, into one of the same length.
+    pub fn carrying([a, b]: &[Point<K>; 2], [a1, b1]: &[Point<K>; 2]) -> Self {
+        let rotation = (b1 - a1) / (b - a);
+        Displacement {
+            translation: a1 - &rotation * a,
+            rotation,
+        }
+    }
+
     /// Where a point of the moving plane is.
     pub fn of(&self, point: &Point<K>) -> Point<K> {
         &self.rotation * point + &self.translation
@@ -58,9 +75,15 @@ impl<K: Kind> Displacement<K> {
         HalfTurn::of(&(&other.rotation * self.rotation.conj()))
     }
 
-    /// The pole of two positions, half of the turn between them given. It is at infinity, across
-    /// the translation, where there is no turn; not determined for equal positions.
-    pub fn projective_pole(&self, other: &Self, half_turn: &HalfTurn<K>) -> ProjectivePoint<K> {
+    /// The pole of two positions. It is at infinity, across the translation, where there is no turn;
+    /// not determined for equal positions.
+    pub fn projective_pole(&self, other: &Self) -> ProjectivePoint<K> {
+        self.pole_by_half_turn(other, &self.half_turn_to(other))
+    }
+
+    /// The pole of two positions, half of the turn between them given, which may be better known
+    /// than the displacements tell.
+    pub fn pole_by_half_turn(&self, other: &Self, half_turn: &HalfTurn<K>) -> ProjectivePoint<K> {
         // On the perpendicular bisector of the two places T, T' of the origin, which are seen from
         // it under the angle δ: (T + T')/2 + i cot(δ/2) (T' − T)/2.
         let HalfTurn { cos, sin } = half_turn;

@@ -106,17 +106,8 @@ impl<K: Kind> FocalCubic<K> {
 }
 
 impl<K: Real> FocalCubic<K> {
-    /// Of a line and a circle (β = 0, ν = qα): where the two meet, at ζ = ± i√−q α/|α|; no value where
-    /// the circle is not real.
-    pub fn nodes_of_line_and_circle(&self) -> [Point<K>; 2] {
-        // −q = −Re(ᾱν)/|α|².
-        let norm = self.alpha.norm();
-        let minus_q = -scalar(&self.alpha, &self.nu) / &norm;
-        let reach = (Number::i() * &self.alpha).scaled(&(minus_q / norm).sqrt());
-        [&self.focus - &reach, &self.focus + reach]
-    }
-
-    /// −q, the squared radius of the circle about the focus where the curve is a line and a circle.
+    /// −q, the squared radius of the circle about the focus where the curve is a line and a circle
+    /// (β = 0, ν = qα); they meet at ζ = ± i√−q α/|α|.
     pub fn squared_radius(&self) -> Number<K> {
         -scalar(&self.alpha, &self.nu) / self.alpha.norm()
     }

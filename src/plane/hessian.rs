@@ -35,7 +35,7 @@ fn ordinates(cubic: &Cubic<Exact>) -> Option<Polynomial<Exact>> {
         })
         .take(INFLEXIONS + 2)
         .collect();
-    Some(interpolated(&points))
+    Some(Polynomial::interpolated(&points))
 }
 
 /// The cubic on the line of this ordinate, as a polynomial in x.
@@ -60,18 +60,6 @@ fn hessian_on_line(cubic: &Cubic<Exact>, y: &Number<Exact>) -> Polynomial<Exact>
     let yw = linear(2 * (g * y + i), f.clone());
     let ww = linear(2 * i * y + 6 * j, 2 * h);
     &xx * (&yy * &ww - &yw * &yw) - &xy * (&xy * &ww - &yw * &xw) + &xw * (&xy * &yw - &yy * &xw)
-}
-
-/// The polynomial of least degree with these values, by Newton's divided differences.
-fn interpolated(points: &[(Number<Exact>, Number<Exact>)]) -> Polynomial<Exact> {
-    let mut sum = Polynomial::zero();
-    let mut basis = Polynomial::from_integers(&[1]);
-    for (x, value) in points {
-        let missing = (value - sum.evaluate(x)) / basis.evaluate(x);
-        sum = sum + basis.scaled(&missing);
-        basis = basis * Polynomial::linear(x);
-    }
-    sum
 }
 
 #[cfg(test)]

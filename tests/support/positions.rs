@@ -61,8 +61,7 @@ pub fn with_poles(positions: &[Position; 4]) -> Positions<Exact> {
 
 /// The rotation about a point that carries one point into another, as far from it.
 fn rotation(about: &Point<Exact>, from: &Point<Exact>, to: &Point<Exact>) -> Position {
-    let rotation = (to - about) / (from - about);
-    position(rotation.clone(), about - rotation * about)
+    Displacement::about(about, (to - about) / (from - about))
 }
 
 /// Four positions with the poles P₁₂, P₂₃, P₃₄, P₁₄ in these points, no two neighbours equal: D goes to

@@ -4,6 +4,7 @@ use rug::Rational;
 
 use super::chart::{Chart, Meets};
 use super::conditions::{Coordinates, finite_pair, rows};
+use crate::number::exact::primitive;
 use crate::number::linear::kernel;
 use crate::number::univariate::{ComplexRoot, Polynomial, RealRoot, isolate};
 use crate::number::{Ball, Complex, Exact, Kind, Number};
@@ -104,16 +105,10 @@ fn solved(meets: &Meets<Exact>) -> Option<Isolated> {
 
 /// A vector by integers.
 fn integral(vector: &[Number<Exact>]) -> Option<Coordinates<Exact>> {
-    let rationals: Option<Vec<&Rational>> = vector.iter().map(|x| x.0.rational()).collect();
-    let rationals = rationals?;
-    let lcm = rationals
-        .iter()
-        .fold(rug::Integer::from(1), |lcm, q| lcm.lcm(q.denom()));
-    let scaled: Vec<Number<Exact>> = rationals
-        .iter()
-        .map(|q| Number::from(Rational::from(*q * &lcm)))
-        .collect();
-    scaled.try_into().ok()
+    let rationals: Option<Vec<Rational>> = vector.iter().map(|x| x.0.rational().cloned()).collect();
+    let integers = primitive(&rationals?).into_iter();
+    let numbers: Vec<Number<Exact>> = integers.map(|i| Number::from(Rational::from(i))).collect();
+    numbers.try_into().ok()
 }
 
 impl Isolated {
@@ -235,28 +230,11 @@ fn add_roots(part: &Poly, place: Place, roots: &mut Vec<Root>) -> Option<()> {
 fn norm(finite: &Poly, h: &Poly, x: &Poly) -> Option<Poly> {
     let degree = finite.degree()?;
     // Of degree `degree` in u: from its values in 0, …, degree.
-    let mut values = Vec::new();
-    for u in 0..=i64::try_from(degree).ok()? {
-        values.push(finite.resultant(&(h.scaled(&Number::from(u)) + x.clone())));
-    }
-    let mut polynomial = Poly::zero();
-    for k in (0..values.len()).rev() {
-        polynomial = polynomial * Poly::linear(&Number::from(i64::try_from(k).ok()?));
-        let mut difference = Number::zero();
-        let mut binomial = Number::<Exact>::one();
-        for (j, value) in values.iter().take(k + 1).enumerate().rev() {
-            let sign = if (k - j) % 2 == 0 { 1 } else { -1 };
-            difference += value * &binomial * sign;
-            let (j, k) = (i64::try_from(j).ok()?, i64::try_from(k).ok()?);
-            binomial = binomial * j / (k - j + 1);
-        }
-        let mut factorial = Number::<Exact>::one();
-        for j in 1..=k {
-            factorial = factorial * i64::try_from(j).ok()?;
-        }
-        polynomial = polynomial + Poly::constant(difference / factorial);
-    }
-    polynomial.primitive_part()
+    let values: Vec<(Number<Exact>, Number<Exact>)> = (0..=i64::try_from(degree).ok()?)
+        .map(Number::from)
+        .map(|u| (u.clone(), finite.resultant(&(h.scaled(&u) + x.clone()))))
+        .collect();
+    Poly::interpolated(&values).primitive_part()
 }
 
 fn rational(x: &Number<Exact>) -> Rational {

@@ -1,4 +1,4 @@
-//! Infinitely many pairs: which, and why.
+//! Pairs that are not four isolated ones: families of them, or none.
 
 use crate::finite::four_positions::circle_conditions;
 use crate::number::{Exact, Number, Truth};
@@ -9,6 +9,8 @@ use crate::plane::{Point, relation};
 /// What the circlepoints of a family are.
 #[derive(Clone, Debug)]
 pub enum Family {
+    /// There is no pair at all: translations on no circle and no line.
+    Empty,
     /// All points of the moving plane.
     Plane,
     /// All points of the moving plane, each along a line; the centers are at infinity in this
@@ -16,13 +18,12 @@ pub enum Family {
     PlaneOfLines(Point<Exact>),
     /// The points of a cubic.
     CirclepointCubic(Box<Cubic<Exact>>),
-    /// Points of a line.
-    Line,
     /// One point that has its place in common in so many positions that a line of centers is left.
     PointWithAnyCenter(Point<Exact>),
 }
 
-/// The family of positions with more than isolated pairs; `None` for translations with no pair at all.
+/// The family of positions that do not have four isolated pairs; `None` where it is none of those that
+/// are known here.
 pub fn family(positions: &[Displacement<Exact>; 5]) -> Option<Family> {
     let different = different(positions);
     if let Ok(four) = <[_; 4]>::try_from(different.clone()) {
@@ -43,9 +44,7 @@ pub fn family(positions: &[Displacement<Exact>; 5]) -> Option<Family> {
     if has_common_pole(positions).is_yes() {
         return Some(Family::Plane);
     }
-    resting_point(positions)
-        .map(Family::PointWithAnyCenter)
-        .or(Some(Family::Line))
+    resting_point(positions).map(Family::PointWithAnyCenter)
 }
 
 fn different(positions: &[Displacement<Exact>; 5]) -> Vec<Displacement<Exact>> {

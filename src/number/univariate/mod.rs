@@ -26,6 +26,7 @@ mod error;
 mod exact;
 mod factor;
 mod integer;
+mod interpolation;
 mod isolate;
 mod modular;
 mod operators;

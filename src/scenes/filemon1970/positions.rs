@@ -29,7 +29,8 @@ impl<K: Real> Positions<K> {
     /// By the poles O_12, O_13, O_14 and the tangents of half the turns about them.
     pub fn of(poles: [Point<K>; 3], half_tangents: [Number<K>; 3]) -> Self {
         let turns = half_tangents.each_ref().map(Angle::from_tan_half);
-        let [first, second, third] = std::array::from_fn(|i| about(&poles[i], &turns[i]));
+        let [first, second, third] =
+            std::array::from_fn(|i| Displacement::about(&poles[i], turns[i].cis()));
         let displacements = [Displacement::identity(), first, second, third];
         Positions {
             poles: OfPairs::poles(&displacements),
@@ -58,13 +59,4 @@ impl<K: Real> Positions<K> {
 pub fn free_poles<K: Real>(free: &mut dyn Free<K>) -> Result<[Point<K>; 3], Unbuilt> {
     let mut pole = |j: u8| point(free, &format!("O_1{j}"));
     Ok([pole(2)?, pole(3)?, pole(4)?])
-}
-
-/// The turn by an angle about a point.
-fn about<K: Real>(pole: &Point<K>, turn: &Angle<K>) -> Displacement<K> {
-    let rotation = turn.cis();
-    Displacement {
-        translation: pole * (Number::one() - &rotation),
-        rotation,
-    }
 }

@@ -2,13 +2,12 @@
 
 use super::positions::Positions;
 use crate::finite::four_positions::circle_conditions::{centerpoint_cubic, circlepoint_cubic};
-use crate::finite::pole_four_bar::{Joints, of_coupler};
+use crate::finite::pole_four_bar::Joints;
 use crate::number::poly::Fraction;
-use crate::number::univariate::Polynomial;
 use crate::number::{Exact, Kind, Number, Truth};
 use crate::plane::circular_cubic::Cubic;
+use crate::plane::curve_type::{CurveType, curve_type};
 use crate::plane::displacement::Displacement;
-use crate::plane::projective::ProjectivePoint;
 use crate::plane::{Angle, Point, line, relation};
 use crate::scenes::check::{Basis, Check, Exception, Report};
 use crate::scenes::free::{Random, Symbols, point};
@@ -24,7 +23,7 @@ pub const CHECK: Check = Check {
               for the other with the same crank; so both discriminants have the same zeros, simple \
               and multiple, and the same signs between them, from which the type of an irreducible \
               cubic is read. On 20 instances both cubics, each from the condition that four points \
-              lie on a circle, have equally many real tangents parallel to the asymptote. On 20 \
+              lie on a circle, have one type, by their discriminants. On 20 \
               instances each the exceptions are found: four poles on a line, which is a part of \
               one curve, while the other has no line as a part and a double point; and a \
               parallelogram of poles with a crossed one of mirror poles, with the line at infinity \
@@ -109,55 +108,13 @@ fn same_type_on_instances() -> Result<Truth, Unbuilt> {
     let mut same = Truth::Yes;
     let mut seen = Vec::new();
     for _ in 0..INSTANCES {
-        let [centers, circlepoints] = cubics(&Positions::free(&mut free)?.displacements)?;
-        let count = tangents(&centers);
-        same = same & (count.is_some() && count == tangents(&circlepoints)).into();
-        seen.push(count);
+        let curves = cubics(&Positions::free(&mut free)?.displacements)?;
+        let [centers, circlepoints] = curves.each_ref().map(curve_type);
+        same = same & (centers.is_some() && centers == circlepoints).into();
+        seen.extend(centers);
     }
-    // Both types occur: 2 tangents touch a curve of one branch, 4 a curve of two.
-    let both = [Some(2), Some(4)].iter().all(|count| seen.contains(count));
-    Ok(same & both.into())
-}
-
-/// How many real lines parallel to the real asymptote touch a circular cubic.
-fn tangents(cubic: &Cubic<Exact>) -> Option<usize> {
-    Some(on_parallels(cubic).sturm_sequence()?.count())
-}
-
-/// Whether two of these tangents coincide, real or not: so they do where there is a double point.
-fn has_double_tangent(cubic: &Cubic<Exact>) -> Truth {
-    on_parallels(cubic).discriminant().is_zero()
-}
-
-/// The discriminant of the two finite points of a circular cubic on a parallel to its real
-/// asymptote, as a polynomial in the distance.
-fn on_parallels(cubic: &Cubic<Exact>) -> Polynomial<Exact> {
-    let at_infinity = cubic.real_point_at_infinity();
-    let [x, y, _] = at_infinity.coordinates();
-    let along = Number::complex(x.clone(), y.clone());
-    // Of the polynomial on a parallel the cubic term is zero; the discriminant of the rest is of
-    // order 4 in the distance.
-    let across = Number::i() * &along;
-    let at = |distance: i64| {
-        let foot = across.scaled(&distance.into());
-        discriminant(|x| cubic.at(&(&foot + along.scaled(&x))))
-    };
-    through([0, 1, 2, 3, 4].map(|distance| (distance, at(distance))))
-}
-
-/// The polynomial of order 4 with given values at five places.
-fn through(values: [(i64, Number<Exact>); 5]) -> Polynomial<Exact> {
-    let mut sum = Polynomial::zero();
-    for (place, value) in &values {
-        let others = values.iter().filter(|(other, _)| other != place);
-        let mut term = Polynomial::constant(value.clone());
-        for (other, _) in others {
-            let factor = Polynomial::linear(&(*other).into());
-            term = (&term * &factor).scaled(&Number::ratio(1, place - other));
-        }
-        sum = &sum + &term;
-    }
-    sum
+    let types = [CurveType::OneBranch, CurveType::TwoBranches];
+    Ok(same & types.iter().all(|kind| seen.contains(kind)).into())
 }
 
 /// The poles O12, O23, O34, O14 on the x-axis, the mirror poles not: the axis is a part of the
@@ -170,7 +127,7 @@ fn exceptions() -> Result<Truth, Unbuilt> {
         all = all
             & contains_asymptote(&centers)
             & !contains_asymptote(&circlepoints)
-            & has_double_tangent(&circlepoints);
+            & (curve_type(&circlepoints) == Some(CurveType::Nodal)).into();
         let [centers, circlepoints] = cubics(&with_parallelogram(&mut free)?)?;
         all = all
             & centers.contains_line_at_infinity()
@@ -188,15 +145,14 @@ fn cubics(displacements: &[Displacement<Exact>; 4]) -> Result<[Cubic<Exact>; 2],
     ])
 }
 
-/// Whether a circular cubic contains its real asymptote; no other line can be a part of it, if the
-/// real point at infinity is simple.
+/// Whether a centerpoint curve of order 3 contains its real asymptote; no other line can be a part of
+/// it.
 fn contains_asymptote(cubic: &Cubic<Exact>) -> Truth {
-    let asymptote = cubic.real_asymptote();
-    // Two points at infinity of the cubic are on it: one of the others decides.
-    let [a, b, c] = asymptote.coefficients();
-    let foot = ProjectivePoint::new(-(a * c), -(b * c), a.square() + b.square());
-    let along = ProjectivePoint::new(-(a * c) + b, -(b * c) - a, a.square() + b.square());
-    cubic.at_projective(&foot).is_zero() & cubic.at_projective(&along).is_zero()
+    match curve_type(cubic) {
+        Some(CurveType::LineAndCircle | CurveType::ThreeLines) => Truth::Yes,
+        Some(_) => Truth::No,
+        None => Truth::Unknown,
+    }
 }
 
 /// Any other position of the four-bar of collinear poles, found from a point S that sees opposite
@@ -238,12 +194,12 @@ fn of_four_bar(
     let ([b, c], [mirror_b, mirror_c]) = (poles, mirror_poles);
     let crank = |pivot: &Point<Exact>, from: &Point<Exact>, to: &Point<Exact>| {
         let start = [pivot.clone(), from.clone()];
-        of_coupler(&start, &[pivot.clone(), to.clone()])
+        Displacement::carrying(&start, &[pivot.clone(), to.clone()])
     };
     [
         Displacement::identity(),
         crank(a, mirror_b, b),
-        of_coupler(mirror_poles, poles),
+        Displacement::carrying(mirror_poles, poles),
         crank(d, mirror_c, c),
     ]
 }

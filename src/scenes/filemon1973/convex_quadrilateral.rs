@@ -1,10 +1,10 @@
 //! Figure 4: the quadrilaterals of any two of the three point pairs.
 
 use super::quadrilateral::centerpoint_curve;
-use super::sample::{Shape, quadrilaterals, shape};
+use super::sample::quadrilaterals;
 use crate::number::{Exact, Truth};
 use crate::plane::Point;
-use crate::plane::circular_cubic::Cubic;
+use crate::plane::quadrilateral::{Shape, shape};
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
 
@@ -38,9 +38,9 @@ fn run() -> Result<Report, Unbuilt> {
         let mut sorted = shapes;
         sorted.sort_unstable();
         holds = holds
-            & Truth::from(sorted == [Shape::Convex, Shape::Concave, Shape::Crossed])
+            & Truth::from(sorted == [Shape::Convex, Shape::Concave, Shape::Crossed].map(Some))
             & have_one_curve(&all)?;
-        wrong_variant = wrong_variant & Truth::from(shapes[0] == Shape::Convex);
+        wrong_variant = wrong_variant & Truth::from(shapes[0] == Some(Shape::Convex));
         seen.push(shapes[0]);
     }
     seen.sort_unstable();
@@ -54,24 +54,10 @@ fn run() -> Result<Report, Unbuilt> {
     })
 }
 
-/// Whether the coefficients of the curves are proportional.
 fn have_one_curve(quadrilaterals: &[[Point<Exact>; 4]; 3]) -> Result<Truth, Unbuilt> {
     let [first, second, third] = quadrilaterals.each_ref().map(centerpoint_curve);
     let first = first?;
-    Ok(are_proportional(&first, &second?) & are_proportional(&first, &third?))
-}
-
-fn are_proportional(one: &Cubic<Exact>, other: &Cubic<Exact>) -> Truth {
-    let pairs: Vec<_> = one
-        .coefficients()
-        .iter()
-        .zip(other.coefficients())
-        .collect();
-    Truth::all(
-        pairs
-            .iter()
-            .flat_map(|(a, b)| pairs.iter().map(move |(c, d)| (*a * *d).equals(&(*b * *c)))),
-    )
+    Ok(first.equals(&second?) & first.equals(&third?))
 }
 
 #[cfg(test)]

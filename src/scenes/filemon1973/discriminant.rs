@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 
 use super::count::tangents_from;
 use super::quadrilateral::PoleQuadrilateral;
-use super::sample::{quadrilaterals, shape};
+use super::sample::quadrilaterals;
 use super::side_order::Sides;
 use crate::number::poly::Fraction;
 use crate::number::{Number, Truth};
+use crate::plane::quadrilateral::{product_of_sums, shape};
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::Symbols;
@@ -43,7 +44,7 @@ fn run() -> Result<Report, Unbuilt> {
     let apart = (of_f * unit.square()).equals(&difference);
     let [one, minus_one] = [1, -1].map(|p| quartic.evaluate(&Number::from(p)));
     let found = one * minus_one * unit.power(4);
-    let expected = q4.square() * product_of_sums(c, h, r, long);
+    let expected = q4.square() * product_of_sums(&[c, h, r, long].map(Number::square));
     let (confirmed, instances) = tangents_from_a_pole()?;
     Ok(Report {
         holds: palindromic & apart & found.equals(&expected) & confirmed,
@@ -79,20 +80,6 @@ fn tangents_from_a_pole() -> Result<(Truth, usize), Unbuilt> {
         }
     }
     Err(Unbuilt::NotHeld("quadrilaterals of every shape".to_owned()))
-}
-
-/// (c ± h)² − (r ± R)² for all signs.
-fn product_of_sums(
-    c: &Number<Fraction>,
-    h: &Number<Fraction>,
-    r: &Number<Fraction>,
-    long: &Number<Fraction>,
-) -> Number<Fraction> {
-    let [sum, difference] = [(c + h).square(), (c - h).square()];
-    [(r + long).square(), (r - long).square()]
-        .iter()
-        .map(|other| (&sum - other) * (&difference - other))
-        .product()
 }
 
 #[cfg(test)]

@@ -1,11 +1,12 @@
 //! The arcs of the centerpoint curve inside a convex pole quadrilateral.
 
 use super::quadrilateral::PoleQuadrilateral;
-use super::sample::{Shape, quadrilaterals, shape};
+use super::sample::quadrilaterals;
 use super::side_order::Sides;
 use crate::number::{Exact, Number, Truth};
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
+use crate::plane::quadrilateral::{Shape, shape};
 use crate::plane::tangents::Pencil;
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
@@ -34,7 +35,7 @@ fn run() -> Result<Report, Unbuilt> {
         let sides = Sides::of(&quadrilateral)?;
         let order = sides.u.compare(&sides.z);
         let poles = quadrilateral.poles();
-        if order.is_none_or(|order| order.is_eq()) || shape(&poles) != Shape::Convex {
+        if order.is_none_or(|order| order.is_eq()) || shape(&poles) != Some(Shape::Convex) {
             continue;
         }
         let curve = quadrilateral.curve()?;

@@ -1,6 +1,6 @@
 //! When three loop equations have a solution.
 
-use super::dyad::determinant;
+use crate::number::linear;
 use crate::number::poly::Fraction;
 use crate::number::{Kind, Truth};
 use crate::plane::Point;
@@ -75,6 +75,11 @@ fn has_no_solution(turns: &[P], shifts: &[P]) -> Truth {
         let dependent = [(0, 1), (0, 2), (1, 2)].map(|(j, k)| minor(turns, cranks, j, k).is_zero());
         determinant(turns, cranks, shifts).is_zero() & Truth::all(dependent)
     })) & unsolved
+}
+
+/// The determinant of three columns.
+fn determinant(a: &[P], b: &[P], c: &[P]) -> P {
+    linear::determinant(&[a, b, c])
 }
 
 /// The determinant with plus for every minus.

@@ -1,7 +1,8 @@
 //! A dyad in four positions, and the minors of its loop equations.
 
 use crate::formula::Bindings;
-use crate::number::{Kind, Number, Real};
+use crate::number::linear::determinant;
+use crate::number::{Number, Real};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Angle, Point};
 use crate::scenes::free::point;
@@ -108,7 +109,8 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         bindings.bind(&format!("r_{j}"), end);
     }
     let turns: Vec<Point<K>> = led.turns.iter().map(|turn| turn.cis() - 1).collect();
-    let with = |column: [Point<K>; 3]| determinant(&turns, &column, &shifts);
+    // Columns as rows: the determinant is the same.
+    let with = |column: [Point<K>; 3]| determinant(&[turns.as_slice(), &column, &shifts]);
     let (one, zero) = (Number::one, Number::zero);
     let crank: Point<K> = led
         .cranks
@@ -131,14 +133,4 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     bindings.bind("M", led.center);
     bindings.bind("K_1", led.circlepoint);
     Ok(bindings)
-}
-
-/// |a b c| of three columns, by its even and odd orders.
-pub(super) fn determinant<K: Kind>(a: &[Point<K>], b: &[Point<K>], c: &[Point<K>]) -> Point<K> {
-    (0..3)
-        .map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            &a[i] * &b[j] * &c[k] - &a[i] * &b[k] * &c[j]
-        })
-        .sum()
 }

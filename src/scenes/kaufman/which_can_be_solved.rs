@@ -1,6 +1,7 @@
 //! The digression: which equations, and which unknowns, can be solved for.
 
 use super::linear_equations::{EQUATIONS_IN_THREE_UNKNOWNS, THREE_EQUATIONS};
+use crate::number::linear::rank;
 use crate::number::{Exact, Number, Truth};
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
@@ -34,8 +35,8 @@ fn run_equations() -> Result<Report, Unbuilt> {
 
 fn run_unknowns() -> Result<Report, Unbuilt> {
     let all = matrix(&EQUATIONS_IN_THREE_UNKNOWNS, &[0, 1, 2]);
-    let left = all.iter().map(|row| row[..3].to_vec()).collect();
-    let ranks = rank(left, 3) == 2 && rank(all.clone(), 4) == 2;
+    let left: Matrix = all.iter().map(|row| row[..3].to_vec()).collect();
+    let ranks = rank(&left, 3) == Some(2) && rank(&all, 4) == Some(2);
     // A number for an unknown moves its column to the right side.
     let given = |unknown: usize, value: i64| {
         let rows = all.iter().map(|row| {
@@ -78,10 +79,10 @@ impl Solvable {
     /// Of equations given by their coefficients and their right sides.
     fn of(rows: Matrix) -> Self {
         let unknowns = rows.first().map_or(0, |row| row.len() - 1);
-        let rank_of_left = rank(rows.clone(), unknowns);
-        if rank(rows, unknowns + 1) > rank_of_left {
+        let rank_of_left = rank(&rows, unknowns);
+        if rank(&rows, unknowns + 1) > rank_of_left {
             Solvable::Never
-        } else if rank_of_left == unknowns {
+        } else if rank_of_left == Some(unknowns) {
             Solvable::Once
         } else {
             Solvable::Often
@@ -96,26 +97,6 @@ fn matrix<const N: usize>(rows: &[[i64; N]], chosen: &[usize]) -> Matrix {
         .iter()
         .map(|row| rows[*row].map(Number::from).to_vec())
         .collect()
-}
-
-/// The rank of the first columns, by elimination.
-fn rank(mut rows: Matrix, columns: usize) -> usize {
-    let mut rank = 0;
-    for column in 0..columns {
-        let is_pivot = |row: &Vec<Number<Exact>>| row[column].is_zero().is_no();
-        let Some(at) = rows.iter().position(is_pivot) else {
-            continue;
-        };
-        let pivot = rows.swap_remove(at);
-        for row in &mut rows {
-            let factor = &row[column] / &pivot[column];
-            for (entry, own) in row.iter_mut().zip(&pivot) {
-                *entry -= &factor * own;
-            }
-        }
-        rank += 1;
-    }
-    rank
 }
 
 #[cfg(test)]

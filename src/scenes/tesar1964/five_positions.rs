@@ -1,9 +1,9 @@
 //! Chapter III: the linear equations of five positions and the two conics that they leave.
 
 use super::burmester_pair::pair;
+use super::quadratic::Quadratic;
 use crate::formula::Bindings;
-use crate::number::linear::kernel;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, linear};
 use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
@@ -89,65 +89,20 @@ pub const SCENE: Scene = scene!(
     ]
 );
 
-/// The solution of as many equations as unknowns, each a row of coefficients and the right side.
+/// The solution of linear equations, each a row of coefficients and the right side.
 pub(super) fn solution<K: Real>(rows: &[Vec<Number<K>>]) -> Result<Vec<Number<K>>, Unbuilt> {
-    let unknowns = rows.len();
-    let homogeneous: Vec<Vec<Number<K>>> = rows
-        .iter()
-        .map(|row| {
-            let (left, right) = row.split_at(unknowns);
-            left.iter()
-                .cloned()
-                .chain(right.iter().map(|x| -x))
-                .collect()
-        })
-        .collect();
-    let basis = kernel(&homogeneous, unknowns + 1)
-        .ok_or_else(|| Unbuilt::NotHeld("which coefficients vanish".to_owned()))?;
-    match basis.as_slice() {
-        [vector] => {
-            let last = &vector[unknowns];
-            Ok(vector.iter().take(unknowns).map(|x| x / last).collect())
-        }
-        _ => Err(Unbuilt::NotReal("dependent positions".to_owned())),
-    }
-}
-
-/// The determinant of a square of numbers, by its first row.
-pub(super) fn determinant<K: Real>(rows: &[Vec<Number<K>>]) -> Number<K> {
-    let Some((first, rest)) = rows.split_first() else {
-        return Number::one();
-    };
-    let terms = first.iter().enumerate().map(|(column, entry)| {
-        let minor = determinant(&without_column(rest, column));
-        if column % 2 == 0 {
-            entry * minor
-        } else {
-            -(entry * minor)
-        }
-    });
-    terms.sum()
-}
-
-fn without_column<K: Real>(rows: &[Vec<Number<K>>], column: usize) -> Vec<Vec<Number<K>>> {
-    let kept = |row: &Vec<Number<K>>| {
-        let entries = row.iter().enumerate().filter(|(place, _)| *place != column);
-        entries.map(|(_, entry)| entry.clone()).collect()
-    };
-    rows.iter().map(kept).collect()
+    linear::solution(rows).ok_or_else(|| Unbuilt::NotReal("dependent positions".to_owned()))
 }
 
 /// Binds the determinant of a square of numbers and its minors Δ_{j,i}.
 pub(super) fn bind_minors<K: Real>(rows: &[Vec<Number<K>>], bindings: &mut Bindings<K>) {
     for j in 0..rows.len() {
-        let mut others = rows.to_vec();
-        others.remove(j);
         for i in 0..rows.len() {
-            let minor = determinant(&without_column(&others, i));
-            bindings.bind(&format!("Delta_{{{},{}}}", j + 1, i + 1), minor);
+            let name = format!("Delta_{{{},{}}}", j + 1, i + 1);
+            bindings.bind(&name, linear::minor(rows, j, i));
         }
     }
-    bindings.bind("Delta", determinant(rows));
+    bindings.bind("Delta", linear::determinant(rows));
 }
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
@@ -173,7 +128,7 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         right.push([t.norm() / -2, mixed.re().clone(), -mixed.im()]);
     }
     bind_minors(&square, &mut bindings);
-    let whole = determinant(&square);
+    let whole = linear::determinant(&square);
     let mut parts = Vec::new();
     for (which, name) in ["A", "B", "C"].into_iter().enumerate() {
         let rows: Vec<Vec<Number<K>>> = (square.iter().zip(&right))
@@ -208,14 +163,15 @@ fn bind_conic<K: Real>(
     names: [&str; 5],
     bindings: &mut Bindings<K>,
 ) {
-    let constant = conic(0, 0);
-    let (u, v) = (
-        (conic(1, 0) - conic(-1, 0)) / 2,
-        (conic(0, 1) - conic(0, -1)) / 2,
-    );
-    let (u2, v2) = (conic(1, 0) - &constant - &u, conic(0, 1) - &constant - &v);
-    let uv = conic(1, 1) - &constant - &u - &v - &u2 - &v2;
-    for (name, coefficient) in names.into_iter().zip([uv, v, u2, u, constant]) {
-        bindings.bind(name, coefficient / &v2);
+    let Quadratic {
+        x2,
+        xy,
+        y2,
+        x,
+        y,
+        constant,
+    } = Quadratic::interpolated(conic);
+    for (name, coefficient) in names.into_iter().zip([xy, y, x2, x, constant]) {
+        bindings.bind(name, coefficient / &y2);
     }
 }

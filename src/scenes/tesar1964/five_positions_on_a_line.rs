@@ -1,8 +1,8 @@
 //! Chapter III: five positions in which the moving origin is on the X-axis.
 
-use super::five_positions::{bind_minors, determinant, solution};
+use super::five_positions::{bind_minors, solution};
 use crate::formula::Bindings;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, linear};
 use crate::scenes::scene::scene;
 use crate::scenes::{Free, Scene, Unbuilt};
 
@@ -78,7 +78,7 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         bindings.bind(&format!("a_{j}"), a);
     }
     bind_minors(&square, &mut bindings);
-    let whole = determinant(&square);
+    let whole = linear::determinant(&square);
     let (z0, z5) = (free.number("Z_0")?, free.number("Z_5")?);
     let mut z = vec![Number::zero(); 4];
     for (which, (name, factor)) in [("M", &z0), ("N", &z5)].into_iter().enumerate() {

@@ -17,4 +17,5 @@ pub(super) mod known_center;
 pub(super) mod moving_plane;
 pub(super) mod point_on_a_line;
 pub(super) mod positions_on_a_line;
+mod quadratic;
 pub(super) mod slider_crank;

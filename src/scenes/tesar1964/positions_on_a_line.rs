@@ -1,6 +1,7 @@
 //! Chapter III: four positions of the moving plane in which its origin is on the X-axis, and a point
 //! of it with four places on a circle: the coupler of a slider-crank.
 
+use super::quadratic::Quadratic;
 use crate::formula::Bindings;
 use crate::number::{Number, Real};
 use crate::plane::Point;
@@ -71,28 +72,6 @@ fn row<K: Real>(position: &Displacement<K>, point: &Point<K>) -> Row<K> {
     }
 }
 
-/// The coefficients of a polynomial in x and y of order 2 at most, from its values.
-struct Quadratic<K> {
-    x2: Number<K>,
-    xy: Number<K>,
-    y2: Number<K>,
-    x: Number<K>,
-    y: Number<K>,
-}
-
-impl<K: Real> Quadratic<K> {
-    fn interpolated(at: impl Fn(&Point<K>) -> Number<K>) -> Self {
-        let value = |x: i64, y: i64| at(&Number::complex(x.into(), y.into()));
-        let constant = value(0, 0);
-        let x = (value(1, 0) - value(-1, 0)) / 2;
-        let y = (value(0, 1) - value(0, -1)) / 2;
-        let x2 = value(1, 0) - &constant - &x;
-        let y2 = value(0, 1) - &constant - &y;
-        let xy = value(1, 1) - constant - &x - &y - &x2 - &y2;
-        Quadratic { x2, xy, y2, x, y }
-    }
-}
-
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let (rod, crank) = (free.length("rod")?, free.length("crank")?);
     let height = free.number("height of the pivot")?;
@@ -132,10 +111,11 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
 
 fn bind_coefficients<K: Real>(k: usize, positions: &[Displacement<K>], bindings: &mut Bindings<K>) {
     let [own, next, last] = [k, k + 1, k + 2].map(|k| &positions[k % 3]);
-    let d = Quadratic::interpolated(|point| row(own, point).d);
-    let f = Quadratic::interpolated(|point| row(own, point).f);
-    let product = Quadratic::interpolated(|point| {
-        let (next, last) = (row(next, point), row(last, point));
+    let at = |x: i64, y: i64| -> Point<K> { Number::complex(x.into(), y.into()) };
+    let d = Quadratic::interpolated(|x, y| row(own, &at(x, y)).d);
+    let f = Quadratic::interpolated(|x, y| row(own, &at(x, y)).f);
+    let product = Quadratic::interpolated(|x, y| {
+        let (next, last) = (row(next, &at(x, y)), row(last, &at(x, y)));
         (next.d * last.f - next.f * last.d) / -2
     });
     for (name, coefficient) in [
