@@ -117,6 +117,11 @@ pub fn primitive(list: &[Rational]) -> Vec<Integer> {
         .iter()
         .map(|q| q.numer() * Integer::from(&denominator / q.denom()))
         .collect();
+    primitive_integers(integers)
+}
+
+/// The same of integers.
+pub fn primitive_integers(integers: Vec<Integer>) -> Vec<Integer> {
     let mut gcd = (integers.iter()).fold(Integer::new(), |gcd, integer| gcd.gcd(integer));
     let first = integers.iter().find(|integer| !integer.is_zero());
     if first.is_some_and(|integer| integer.cmp0().is_lt()) {
@@ -125,7 +130,11 @@ pub fn primitive(list: &[Rational]) -> Vec<Integer> {
     if gcd.is_zero() {
         return integers;
     }
-    integers.into_iter().map(|integer| integer / &gcd).collect()
+    let divided = integers.into_iter().map(|mut integer| {
+        integer.div_exact_mut(&gcd);
+        integer
+    });
+    divided.collect()
 }
 
 impl fmt::Display for Exact {

@@ -2,68 +2,13 @@
 //! is a proposal that discs then prove.
 
 use rug::Float;
-use rug::ops::NegAssign;
 
+use super::floats;
 use super::integer::IntegerPolynomial;
+use super::point::Point;
 
 /// Rounds of one precision beside those that clusters need.
 const ROUNDS: u32 = 60;
-
-/// A complex number.
-#[derive(Clone, Debug)]
-pub(super) struct Point {
-    pub re: Float,
-    pub im: Float,
-}
-
-impl Point {
-    fn zero(bits: u32) -> Point {
-        Point {
-            re: Float::new(bits),
-            im: Float::new(bits),
-        }
-    }
-
-    fn add(&mut self, other: &Point) {
-        self.re += &other.re;
-        self.im += &other.im;
-    }
-
-    fn minus(&self, other: &Point, bits: u32) -> Point {
-        Point {
-            re: Float::with_val(bits, &self.re - &other.re),
-            im: Float::with_val(bits, &self.im - &other.im),
-        }
-    }
-
-    fn times(&self, other: &Point, bits: u32) -> Point {
-        Point {
-            re: Float::with_val(bits, &self.re * &other.re - &self.im * &other.im),
-            im: Float::with_val(bits, &self.re * &other.im + &self.im * &other.re),
-        }
-    }
-
-    fn norm(&self, bits: u32) -> Float {
-        Float::with_val(bits, &self.re * &self.re + &self.im * &self.im)
-    }
-
-    fn inverse(mut self, bits: u32) -> Point {
-        let norm = self.norm(bits);
-        self.re /= &norm;
-        self.im /= norm;
-        self.im.neg_assign();
-        self
-    }
-
-    fn is_finite(&self) -> bool {
-        self.re.is_finite() && self.im.is_finite()
-    }
-
-    /// An upper bound of |z|, at most √2 too large.
-    fn size(&self) -> Float {
-        Float::with_val(32, self.re.abs_ref()) + Float::with_val(32, self.im.abs_ref())
-    }
-}
 
 /// Approximations of all roots, improved in place.
 pub(super) struct Approximations {
@@ -96,6 +41,15 @@ impl Approximations {
         }
         let settled = vec![false; points.len()];
         Approximations { points, settled }
+    }
+
+    /// The same, first improved in machine floats.
+    pub fn from_floats(p: &IntegerPolynomial, bits: u32) -> Self {
+        let mut approximations = Self::start(p, bits);
+        if let Some(points) = floats::improved(p, &approximations.points) {
+            approximations.points = points;
+        }
+        approximations
     }
 
     /// Iterates with so many bits until no point gets better.

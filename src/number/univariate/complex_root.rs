@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
-use rug::Rational;
+use rug::{Float, Rational};
 
 use super::descartes::times_power_of_two;
 use super::factor::{Factor, log2_above, log2_below};
+use super::point::Point;
+use super::polish;
 use crate::number::{Ball, Complex, Number, Real};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -41,7 +43,7 @@ impl Disc {
             Number::<Ball>::rounded(&re, &bits),
             Number::<Ball>::rounded(&im, &bits),
         );
-        let step = factor.newton_step(&z, bits);
+        let step = factor.value(&z, bits) / factor.slope(&z, bits);
         let mut bound = largest(step.re())? + largest(step.im())?;
         bound *= factor.degree() as u64;
         if !bound.is_zero() {
@@ -57,6 +59,24 @@ impl Disc {
             radius: bound,
         };
         Some((disc, step))
+    }
+
+    /// The disc alone: of the derivative a few bits will do.
+    fn at(factor: &Factor, re: Rational, im: Rational, bits: u32) -> Option<Disc> {
+        let z = |bits: u32| {
+            Number::complex(
+                Number::<Ball>::rounded(&re, &bits),
+                Number::<Ball>::rounded(&im, &bits),
+            )
+        };
+        let step = factor.value(&z(bits), bits) / factor.slope(&z(GUARD_BITS), GUARD_BITS);
+        let bound = (largest(step.re())? + largest(step.im())?) * factor.degree() as u64;
+        let radius = if bound.is_zero() {
+            bound
+        } else {
+            times_power_of_two(Rational::from(1), log2_above(&bound))
+        };
+        Some(Disc { re, im, radius })
     }
 
     /// The larger of the distances of the centers along the axes.
@@ -145,6 +165,7 @@ impl ComplexRoot {
     /// has this one.
     pub fn refine(&mut self, bits: u32) {
         let aim = i64::from(bits);
+        self.leap(bits);
         let mut extra = 0;
         let (mut re, mut im) = (self.disc.re.clone(), self.disc.im.clone());
         while self.disc.relative_bits() < aim {
@@ -163,6 +184,32 @@ impl ComplexRoot {
             if self.disc.relative_bits() <= before + 1 {
                 extra = 2 * extra + GUARD_BITS;
             }
+        }
+    }
+}
+
+impl ComplexRoot {
+    /// Newton's method without proof, and one proof at its end.
+    fn leap(&mut self, bits: u32) {
+        let known = self.disc.relative_bits();
+        let Ok(known) = u32::try_from(known.max(0)) else {
+            return;
+        };
+        if known >= bits {
+            return;
+        }
+        let start = Point {
+            re: Float::with_val(known + GUARD_BITS, &self.disc.re),
+            im: Float::with_val(known + GUARD_BITS, &self.disc.im),
+        };
+        let near = polish::complex(self.factor.polynomial(), start, known, bits + 16);
+        let (Some(re), Some(im)) = (near.re.to_rational(), near.im.to_rational()) else {
+            return;
+        };
+        if let Some(disc) = Disc::at(&self.factor, re, im, bits + GUARD_BITS)
+            && self.disc.holds(&disc)
+        {
+            self.disc = disc;
         }
     }
 }

@@ -11,6 +11,9 @@ use crate::number::{Ball, Complex, Number};
 /// Bits with which a sign is tried before it is computed exactly.
 const SIGN_BITS: [u32; 3] = [128, 512, 2048];
 
+/// Bits of a derivative of which only the size matters.
+const LAST_SLOPE_BITS: u32 = 64;
+
 #[derive(Debug)]
 pub(super) struct Factor {
     polynomial: IntegerPolynomial,
@@ -71,10 +74,24 @@ impl Factor {
         }
     }
 
-    /// p(z)/p′(z).
-    pub fn newton_step(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
-        let value = in_balls(&self.polynomial, bits).evaluate_complex(z);
-        value / in_balls(&self.derivative, bits).evaluate_complex(z)
+    /// p(z).
+    pub fn value(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
+        in_balls(&self.polynomial, bits).evaluate_complex(z)
+    }
+
+    /// p′(z).
+    pub fn slope(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
+        in_balls(&self.derivative, bits).evaluate_complex(z)
+    }
+
+    /// m − p(m)/p′(X) with a short derivative, for an X so small that its length does not matter.
+    pub fn last_newton(&self, middle: &Rational, around: &Number<Ball>, bits: u32) -> Ball {
+        let short = bits.min(LAST_SLOPE_BITS);
+        let around = Number(around.0.with_precision(short));
+        let slope = in_balls(&self.derivative, short).evaluate(&around);
+        let middle = Number::<Ball>::rounded(middle, &bits);
+        let value = in_balls(&self.polynomial, bits).evaluate(&middle);
+        (middle - value / slope).0
     }
 }
 

@@ -3,10 +3,11 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use rug::{Integer, Rational};
+use rug::{Float, Integer, Rational};
 
 use super::descartes::Interval;
 use super::factor::{Factor, log2_above, log2_below};
+use super::{modular, polish};
 use crate::number::{Ball, Number};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -65,6 +66,10 @@ impl RealRoot {
     /// Its denominator divides the leading coefficient, so that an interval shorter than the
     /// inverse of that holds one candidate at most.
     pub fn rational(&self) -> Option<Rational> {
+        if self.exact().is_none() && modular::has_surely_no_rational_root(self.factor.polynomial())
+        {
+            return None;
+        }
         let leading = self.factor.polynomial().leading();
         let mut root = self.clone();
         let bits = i64::from(leading.significant_bits()) + 1;
@@ -139,6 +144,9 @@ impl RealRoot {
     /// Interval Newton with growing precision, and bisection where that does not contract. `aim`
     /// tells for an interval how many bits after the point will do.
     fn narrow_to(&mut self, done: impl Fn(&Interval) -> bool, aim: impl Fn(&Interval) -> i64) {
+        if !self.interval.is_point() && !done(&self.interval) {
+            self.leap(aim(&self.interval));
+        }
         let mut extra = 0;
         while !self.interval.is_point() && !done(&self.interval) {
             let before = log2_below(&self.interval.width());
@@ -150,6 +158,43 @@ impl RealRoot {
                 self.bisect();
             }
         }
+    }
+
+    /// Newton's method without proof to so many bits after the point, and one proof at its end: where
+    /// m − p(m)/p′(X) lies in X and X in the interval, it holds the root.
+    fn leap(&mut self, after_point: i64) -> Option<()> {
+        let known = u32::try_from(-log2_above(&self.interval.width()) + 1).ok()?;
+        let after_point = u32::try_from(after_point + 4)
+            .ok()
+            .filter(|bits| *bits > known)?;
+        let middle = self.interval.middle();
+        let before_point = u32::try_from(log2_above(&middle.clone().abs()).max(0)).ok()?;
+        let bits = after_point.checked_add(before_point)?;
+        let start = Float::with_val(known.checked_add(before_point)? + GUARD_BITS, &middle);
+        let near = polish::real(
+            self.factor.polynomial(),
+            &start,
+            known.checked_add(before_point)?,
+            bits,
+        );
+        let near = near.to_rational()?;
+        let margin = Rational::from(1) >> after_point;
+        let bits = bits.checked_add(GUARD_BITS)?;
+        let around = Interval {
+            low: Rational::from(&near - &margin),
+            high: Rational::from(&near + &margin),
+        };
+        if around.low <= self.interval.low || around.high >= self.interval.high {
+            return None;
+        }
+        let image = (self.factor).last_newton(
+            &near,
+            &Number(Ball::with_radius(&near, &margin, bits)),
+            bits,
+        );
+        let (mid, radius) = (image.midpoint_rational()?, image.radius_rational()?);
+        let inside = Rational::from(&mid - &near).abs() + &radius < margin;
+        inside.then(|| self.cut_to(&mid, &radius))
     }
 
     /// Intersects the interval with a Newton step; whether that suffered from rounding.
