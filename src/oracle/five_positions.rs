@@ -12,7 +12,7 @@ use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, ProblemError, Request};
 use crate::finite::five_positions::conditions::finite_pair;
-use crate::finite::five_positions::conics::{self, Isolated, Pairs, Place};
+use crate::finite::five_positions::conics::{self, Isolated, Pair, Pairs, Place};
 use crate::finite::five_positions::families::{self, Family};
 use crate::finite::five_positions::{enclosed, krawczyk};
 use crate::finite::positions::Positions;
@@ -20,6 +20,7 @@ use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
+use crate::plane::polynomial::Polynomial;
 
 /// Reads and solves the problem.
 pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
@@ -141,6 +142,18 @@ struct Real {
     multiplicity: usize,
 }
 
+impl Real {
+    fn exact(pair: &Pair<Exact>) -> Self {
+        let ball =
+            |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
+        Real {
+            coordinates: pair.coordinates.each_ref().map(ball),
+            place: pair.place,
+            multiplicity: pair.multiplicity,
+        }
+    }
+}
+
 /// One of two conjugate pairs.
 struct Couple {
     coordinates: [Number<Complex<Ball>>; 7],
@@ -169,12 +182,13 @@ impl Found {
     fn exact(five: &Five<Exact>, pairs: Option<&Pairs>, bits: u32) -> Option<Found> {
         match pairs? {
             Pairs::Isolated(isolated) => Some(Found::isolated(isolated, bits)),
-            Pairs::Families => Some(Found {
-                real: Vec::new(),
+            Pairs::Families(beside) => Some(Found {
+                real: beside.iter().map(|pair| Real::exact(pair)).collect(),
                 complex: Vec::new(),
                 family: families::family(five).map_or(Families::Unknown, Families::Known),
                 eliminant: None,
-                method: "exact linear algebra: the conditions depend on each other",
+                method: "exact linear algebra: the conditions depend on each other, or the two conics \
+                         have a part in common",
             }),
         }
     }
@@ -373,15 +387,37 @@ impl Writer<'_> {
                 let direction = self.attempt.direction(&[x.clone(), y.clone()]);
                 json!({"kind": "plane", "center": {"at_infinity": direction}})
             }
-            Family::CirclepointCubic(cubic) => {
-                let coefficients = self.attempt.coefficients("family", cubic.coefficients());
-                json!({"kind": "circlepoint-cubic", "coefficients": coefficients})
+            Family::Circlepoints(curve, center) => {
+                let kind = match curve.order() {
+                    1 => "line",
+                    2 => "circlepoint-conic",
+                    _ => "circlepoint-cubic",
+                };
+                let mut value = json!({"kind": kind, "coefficients": self.curve(curve)});
+                if let (1, Value::Object(fields)) = (curve.order(), &mut value) {
+                    let center = center.as_ref();
+                    let center = center.map(|point| self.attempt.point("family", point));
+                    fields.insert("center".into(), json!(center));
+                }
+                value
             }
-            Family::PointWithAnyCenter(point) => {
+            Family::PointWithAnyCenter(point, centers) => {
                 let point = self.attempt.finite_point("family", point);
-                json!({"kind": "point-with-any-center", "circlepoint": point})
+                json!({
+                    "kind": "point-with-any-center",
+                    "circlepoint": point,
+                    "centers": self.curve(centers),
+                })
+            }
+            Family::Centers(centers) => {
+                json!({"kind": "centers", "coefficients": self.curve(centers)})
             }
         }
+    }
+
+    /// The primitive coefficients of a curve.
+    fn curve(&mut self, curve: &Polynomial<Exact>) -> Value {
+        self.attempt.coefficients("family", curve.coefficients())
     }
 
     fn certificate(&self, found: &Found, points: &[[Point<Ball>; 2]]) -> Value {

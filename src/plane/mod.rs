@@ -5,6 +5,7 @@
 mod angle;
 pub mod circle;
 pub mod circular_cubic;
+pub mod common_part;
 pub mod conic;
 pub mod curve_type;
 pub mod displacement;

@@ -1,8 +1,8 @@
 //! The two conics of five positions in coordinates of the plane of solutions.
 
 use super::conditions::{Coordinates, products};
-use crate::number::Kind;
 use crate::number::univariate::Polynomial;
+use crate::number::{Kind, Number};
 
 /// Coordinates e₀ + s e₁ + n e₂ of the solutions: on each line of one s both conics are quadratic
 /// equations in n.
@@ -21,6 +21,15 @@ pub struct Meets<K> {
     pub second: Polynomial<K>,
     /// h, x, y, X, Y, p, q of the meet on a line, where the equations differ.
     pub coordinates: [Polynomial<K>; 7],
+}
+
+/// A line of pairs, and the one meet of the conics beside it.
+#[derive(Clone, Debug)]
+pub struct CommonLine<K> {
+    /// Two of its points.
+    pub through: [Coordinates<K>; 2],
+    /// The meet of what is left of the conics, where it is not on the line.
+    pub beside: Option<Coordinates<K>>,
 }
 
 impl<K: Kind> Chart<K> {
@@ -58,6 +67,34 @@ impl<K: Kind> Chart<K> {
             coordinates: self.coordinates(&first, &second),
             second,
         }
+    }
+
+    /// A line that both conics have in common, where all that [`meets`](Self::meets) finds is zero;
+    /// `None` where they are one conic, and where the meet beside the line is not on a line of one s.
+    ///
+    /// On it A n² + Bn + C = (n − ℓ(s)) (A n + B + A ℓ(s)), with the n that solves both equations.
+    pub fn common_line(&self) -> Option<CommonLine<K>> {
+        let [[a, b, c], [a1, b1, c1]] = &self.conics;
+        let first = a * c1 - a1 * c;
+        let second = a * b1 - a1 * b;
+        if second.degree() != Some(1) {
+            return None;
+        }
+        let (quotient, _) = first.divide(&second)?;
+        let along = quotient.scaled(&Number::from(-1));
+        let s = -(second.coefficient(0) / second.coefficient(1));
+        let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
+        let n = -((b + a * &along).evaluate(&s) / a.coefficient(0));
+        let beside = !along.evaluate(&s).equals(&n).is_yes();
+        let [e0, e1, e2] = &self.basis;
+        let point = |s: &Number<K>, n: &Number<K>| -> Coordinates<K> {
+            std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
+        };
+        let at = |s: i64| point(&s.into(), &along.evaluate(&s.into()));
+        Some(CommonLine {
+            through: [at(0), at(1)],
+            beside: beside.then(|| point(&s, &n)),
+        })
     }
 
     /// second (e₀ + s e₁) − first e₂.
