@@ -14,8 +14,8 @@ mod seed;
 
 use std::collections::BTreeMap;
 
-use burmester::linkage::passage::{Drive, Joint, Passage, Type};
-use burmester::number::{Ball, Number};
+use burmester::linkage::passage::{Degenerate, Drive, Joint, Passage, Type};
+use burmester::number::{Ball, Number, Surd};
 use burmester::plane::Point;
 use motion::{Chain, Dyad, Verdict};
 use rand::Rng;
@@ -41,16 +41,25 @@ fn direction(random: &mut ChaCha8Rng) -> Point<Ball> {
 }
 
 fn point(random: &mut ChaCha8Rng) -> Point<Ball> {
-    Number::complex(ball(&rational(random, -4, 4)), ball(&rational(random, -4, 4)))
+    Number::complex(
+        ball(&rational(random, -4, 4)),
+        ball(&rational(random, -4, 4)),
+    )
 }
 
 /// How a pair guides the coupler.
 #[derive(Clone)]
 enum Guide {
     /// On a circle about a center.
-    Link { center: Point<Ball>, length: Number<Ball> },
+    Link {
+        center: Point<Ball>,
+        length: Number<Ball>,
+    },
     /// Along the line through a point in a direction of length 1.
-    Slide { origin: Point<Ball>, along: Point<Ball> },
+    Slide {
+        origin: Point<Ball>,
+        along: Point<Ball>,
+    },
     /// A line of the coupler through this point.
     Block { center: Point<Ball> },
 }
@@ -63,7 +72,10 @@ impl Guide {
                 center,
                 length: ball(&rational(random, 1, 6).max(Rational::from((1, 2)))),
             },
-            1 => Guide::Slide { origin: center, along: direction(random) },
+            1 => Guide::Slide {
+                origin: center,
+                along: direction(random),
+            },
             _ => Guide::Block { center },
         }
     }
@@ -77,9 +89,17 @@ impl Guide {
 
     fn in_floats(&self) -> Dyad {
         match self {
-            Guide::Link { center, length } => Dyad::Link { center: float(center), length: of(length) },
-            Guide::Slide { origin, along } => Dyad::Slide { origin: float(origin), along: float(along) },
-            Guide::Block { center } => Dyad::Block { center: float(center) },
+            Guide::Link { center, length } => Dyad::Link {
+                center: float(center),
+                length: of(length),
+            },
+            Guide::Slide { origin, along } => Dyad::Slide {
+                origin: float(origin),
+                along: float(along),
+            },
+            Guide::Block { center } => Dyad::Block {
+                center: float(center),
+            },
         }
     }
 }
@@ -119,7 +139,9 @@ impl Example {
         let [first, second] = &self.guides;
         let a = match first {
             Guide::Link { center, length } => center + direction(random).scaled(length),
-            Guide::Slide { origin, along } => origin + along.scaled(&ball(&rational(random, -9, 9))),
+            Guide::Slide { origin, along } => {
+                origin + along.scaled(&ball(&rational(random, -9, 9)))
+            }
             Guide::Block { center } => {
                 let normal = direction(random);
                 let joint = self.beyond_block(center, &normal, &side)?;
@@ -144,14 +166,21 @@ impl Example {
             Guide::Block { center } => {
                 let from = &a - center;
                 let across = root(&(from.norm() - c.square()))? * side;
-                Joint::Towards((&from * Number::complex(c.clone(), across)).scaled(&from.norm().inverse()))
+                Joint::Towards(
+                    (&from * Number::complex(c.clone(), across)).scaled(&from.norm().inverse()),
+                )
             }
         };
         Some([Joint::At(a), b])
     }
 
     /// B, where the coupler slides in a first block with this normal.
-    fn beyond_block(&self, center: &Point<Ball>, normal: &Point<Ball>, side: &Number<Ball>) -> Option<Joint<Ball>> {
+    fn beyond_block(
+        &self,
+        center: &Point<Ball>,
+        normal: &Point<Ball>,
+        side: &Number<Ball>,
+    ) -> Option<Joint<Ball>> {
         let foot = center + normal.scaled(&self.coupler);
         let line = Number::i() * normal;
         Some(match &self.guides[1] {
@@ -170,7 +199,10 @@ impl Example {
     }
 
     fn passage(&self, joints: Vec<[Joint<Ball>; 2]>) -> Passage<Ball> {
-        Passage { pivots: self.guides.each_ref().map(Guide::pivot), joints }
+        Passage {
+            pivots: self.guides.each_ref().map(Guide::pivot),
+            joints,
+        }
     }
 
     fn chain(&self) -> Chain {
@@ -214,18 +246,41 @@ struct Tally {
 fn compare(example: &Example, joints: &[[Joint<Ball>; 2]], tally: &mut Tally) -> Option<()> {
     let passage = example.passage(joints.to_vec());
     let chain = example.chain();
-    let places: Vec<[f64; 2]> = joints.iter().map(|joints| parameters(example, joints)).collect();
+    let places: Vec<[f64; 2]> = joints
+        .iter()
+        .map(|joints| parameters(example, joints))
+        .collect();
     let Some(followed) = chain.follow(&places) else {
         tally.skipped += 1;
         return None;
     };
     tally.compared += 1;
     let what = || format!("{:?} through {places:?}", chain);
-    assert_eq!(passage.circuit().unwrap(), followed.circuit, "circuit of {}", what());
+    assert_eq!(
+        passage.circuit().unwrap(),
+        followed.circuit,
+        "circuit of {}",
+        what()
+    );
     for (drive, verdict) in Drive::ALL.into_iter().zip(&followed.drives) {
-        let Verdict { crank, branch, order, cosines } = verdict;
-        assert_eq!(passage.is_crank(drive).unwrap(), *crank, "crank, {drive:?} of {}", what());
-        assert_eq!(&passage.branch(drive).unwrap(), branch, "branch, {drive:?} of {}", what());
+        let Verdict {
+            crank,
+            branch,
+            order,
+            cosines,
+        } = verdict;
+        assert_eq!(
+            passage.is_crank(drive).unwrap(),
+            *crank,
+            "crank, {drive:?} of {}",
+            what()
+        );
+        assert_eq!(
+            &passage.branch(drive).unwrap(),
+            branch,
+            "branch, {drive:?} of {}",
+            what()
+        );
         if let Some(order) = order {
             tally.whole += 1;
             let found = passage.order(drive).unwrap();
@@ -235,7 +290,11 @@ fn compare(example: &Example, joints: &[[Joint<Ball>; 2]], tally: &mut Tally) ->
         if let Some(cosines) = cosines {
             let found = passage.transmission(drive).unwrap().map(|x| of(&x));
             for (x, y) in found.iter().zip(cosines) {
-                assert!((x - y).abs() < 6e-3, "cosines {found:?}, not {cosines:?}, {drive:?} of {}", what());
+                assert!(
+                    (x - y).abs() < 6e-3,
+                    "cosines {found:?}, not {cosines:?}, {drive:?} of {}",
+                    what()
+                );
             }
         }
     }
@@ -252,15 +311,29 @@ fn compare_many(kinds: [u8; 2], count: usize, test: &str) -> (Tally, BTreeMap<St
         assert!(rounds < 200 * count, "too few linkages close: {tally:?}");
         let example = Example::random(kinds, &mut random);
         let mut joints = Vec::new();
-        let wanted = if random.random() { 2 } else { 5 };
+        let wanted = 5;
         for _ in 0..60 {
-            if joints.len() < wanted {
-                joints.extend(example.position(&mut random));
-            }
+            joints.extend(example.position(&mut random));
+        }
+        if random.random() && !joints.is_empty() {
+            // Positions that one drive is said to reach: what follows tells whether it does.
+            let drive = Drive::ALL[random.random_range(0..2)];
+            let reached = example
+                .passage(joints.clone())
+                .branch(drive)
+                .unwrap()
+                .into_iter();
+            joints = joints
+                .into_iter()
+                .zip(reached)
+                .filter(|(_, reached)| *reached)
+                .map(|(joint, _)| joint)
+                .collect();
         }
         if joints.len() < wanted {
             continue;
         }
+        joints.truncate(wanted);
         if compare(&example, &joints, &mut tally).is_some() {
             let kind = example.passage(joints).link_type().unwrap();
             *types.entry(format!("{kind:?}")).or_insert(0) += 1;
@@ -272,10 +345,243 @@ fn compare_many(kinds: [u8; 2], count: usize, test: &str) -> (Tally, BTreeMap<St
     (tally, types)
 }
 
+/// Moved, turned, scaled by 10^±30, mirrored, renumbered and exchanged, a linkage does the same.
+#[test]
+fn the_choice_of_axes_and_names_does_not_matter() {
+    let mut random = seed::generator("the_choice_of_axes_and_names_does_not_matter");
+    let mut whole = 0;
+    for round in 0..seed::rounds(150) {
+        let kinds = [[0, 0], [0, 1], [2, 0], [1, 1], [2, 2], [1, 2]][round % 6];
+        let example = Example::random(kinds, &mut random);
+        let mut joints: Vec<_> = (0..30)
+            .filter_map(|_| example.position(&mut random))
+            .collect();
+        if joints.is_empty() {
+            continue;
+        }
+        let drive = Drive::ALL[random.random_range(0..2)];
+        if round % 3 > 0 {
+            let reached = example
+                .passage(joints.clone())
+                .branch(drive)
+                .unwrap()
+                .into_iter();
+            joints = joints
+                .into_iter()
+                .zip(reached)
+                .filter(|(_, r)| *r)
+                .map(|(joint, _)| joint)
+                .collect();
+        }
+        joints.truncate(4);
+        let passage = example.passage(joints);
+        let (kind, circuit) = (passage.link_type(), passage.circuit());
+        let (crank, branch) = (
+            passage.is_crank(drive).unwrap(),
+            passage.branch(drive).unwrap(),
+        );
+        let reached = branch.iter().all(|one| *one);
+        whole += usize::from(reached);
+        let order = passage.order(drive).unwrap();
+        let angle = passage.has_transmission_angle() && reached;
+        let cosines = angle.then(|| passage.transmission(drive).unwrap());
+        let same_angles = |other: &Passage<Ball>, drive: Drive| {
+            let Some(cosines) = &cosines else { return };
+            for (x, y) in cosines.iter().zip(&other.transmission(drive).unwrap()) {
+                assert!(!x.equals(y).is_no(), "{cosines:?}");
+            }
+        };
+        let turn = direction(&mut random);
+        let shift = point(&mut random);
+        for exponent in [-30, 0, 30] {
+            let scale = Number::<Ball>::from(10).power(exponent);
+            let other = mapped(&passage, &|z| (z * &turn).scaled(&scale), &shift);
+            assert_eq!(
+                (other.link_type(), other.circuit()),
+                (kind, circuit.clone())
+            );
+            assert_eq!(other.is_crank(drive), Some(crank));
+            assert_eq!(other.branch(drive), Some(branch.clone()));
+            if reached {
+                assert_eq!(other.order(drive), Some(order.clone()), "{exponent}");
+            }
+            same_angles(&other, drive);
+        }
+        let mirrored = mapped(&passage, &|z| z.conj(), &shift);
+        assert_eq!(
+            (mirrored.link_type(), mirrored.circuit()),
+            (kind, circuit.clone())
+        );
+        assert_eq!(mirrored.branch(drive), Some(branch.clone()));
+        if reached {
+            let mut backwards: Vec<usize> = order.iter().rev().copied().collect();
+            if crank {
+                backwards.rotate_right(1);
+            }
+            assert_eq!(mirrored.order(drive), Some(backwards));
+        }
+        same_angles(&mirrored, drive);
+        let exchanged = Passage {
+            pivots: [passage.pivots[1].clone(), passage.pivots[0].clone()],
+            joints: passage
+                .joints
+                .iter()
+                .map(|[a, b]| [b.clone(), a.clone()])
+                .collect(),
+        };
+        let other = if drive == Drive::First {
+            Drive::Second
+        } else {
+            Drive::First
+        };
+        assert_eq!(
+            (exchanged.link_type(), exchanged.circuit()),
+            (kind, circuit.clone())
+        );
+        assert_eq!(exchanged.is_crank(other), Some(crank));
+        assert_eq!(exchanged.branch(other), Some(branch.clone()));
+        same_angles(&exchanged, other);
+        let mut renumbered = passage.clone();
+        renumbered.joints.rotate_left(1);
+        let count = renumbered.joints.len();
+        let all = |list: Vec<bool>| list.iter().all(|one| *one);
+        assert_eq!(renumbered.link_type(), kind);
+        assert_eq!(all(renumbered.circuit().unwrap()), all(circuit.unwrap()));
+        assert_eq!(all(renumbered.branch(drive).unwrap()), reached);
+        if reached {
+            let mut named: Vec<usize> = renumbered
+                .order(drive)
+                .unwrap()
+                .iter()
+                .map(|place| (place + 1) % count)
+                .collect();
+            if crank {
+                let first = named.iter().position(|place| *place == 0).unwrap();
+                named.rotate_left(first);
+            }
+            assert_eq!(named, order);
+        }
+        same_angles(&renumbered, drive);
+    }
+    assert!(whole > 20, "{whole}");
+}
+
+fn mapped(
+    passage: &Passage<Ball>,
+    linear: &dyn Fn(&Point<Ball>) -> Point<Ball>,
+    shift: &Point<Ball>,
+) -> Passage<Ball> {
+    let joint = |joint: &Joint<Ball>| match joint {
+        Joint::At(z) => Joint::At(linear(z) + linear(shift)),
+        // A mirror turns the sense of the direction's quarter turn, which is the direction of a slide.
+        Joint::Towards(z) => Joint::Towards(linear(z)),
+    };
+    Passage {
+        pivots: passage.pivots.each_ref().map(joint),
+        joints: passage
+            .joints
+            .iter()
+            .map(|joints| joints.each_ref().map(joint))
+            .collect(),
+    }
+}
+
+fn exact(list: &[(i64, i64, i64, i64)], pivots: [(i64, i64); 2]) -> Passage<Surd> {
+    let at = |x: i64, y: i64| Joint::At(Number::complex(x.into(), y.into()));
+    Passage {
+        pivots: pivots.map(|(x, y)| at(x, y)),
+        joints: list
+            .iter()
+            .map(|(x, y, u, v)| [at(*x, *y), at(*u, *v)])
+            .collect(),
+    }
+}
+
+/// Change points are decided where the numbers are exact, and never by enclosures.
+#[test]
+fn change_points() {
+    // A parallelogram with arms (3, 4), (4, 3), (-3, 4), then (3, -4) beyond the base line.
+    let above = exact(
+        &[(3, 4, 10, 4), (4, 3, 11, 3), (-3, 4, 4, 4)],
+        [(0, 0), (7, 0)],
+    );
+    assert_eq!(above.link_type(), Some(Type::ChangePoint));
+    for drive in Drive::ALL {
+        assert_eq!(above.is_crank(drive), Some(true));
+        assert_eq!(above.branch(drive), Some(vec![true; 3]));
+        assert_eq!(above.order(drive), Some(vec![1, 0, 2]));
+        let cosines = above.transmission(drive).unwrap();
+        // γ is the angle of the arm: from 36.9° to 126.9°.
+        assert!(cosines[0].equals(&Number::ratio(4, 5)).is_yes());
+        assert!(cosines[1].equals(&Number::ratio(-3, 5)).is_yes());
+    }
+    assert_eq!(above.circuit(), Some(vec![true; 3]));
+    let both = exact(&[(3, 4, 10, 4), (3, -4, 10, -4)], [(0, 0), (7, 0)]);
+    assert_eq!(both.circuit(), Some(vec![true; 2]));
+    assert_eq!(both.branch(Drive::First), Some(vec![true, false]));
+    // A square root of the base: the same parallelogram along (1, 1).
+    let skew = exact(&[(3, 4, 4, 5), (4, 3, 5, 4)], [(0, 0), (1, 1)]);
+    assert_eq!(skew.link_type(), Some(Type::ChangePoint));
+    // A kite that folds: a = d, b = c.
+    let kite = exact(&[(3, 4, 6, 3), (3, -4, 6, -3)], [(0, 0), (5, 0)]);
+    assert_eq!(kite.link_type(), Some(Type::ChangePoint));
+    assert_eq!(kite.branch(Drive::First), Some(vec![true, false]));
+    // Equal links alone are no change point.
+    let equal = exact(&[(3, 4, 2, 3)], [(0, 0), (6, 0)]);
+    assert_eq!(equal.link_type(), Some(Type::GrashofDoubleLever));
+    // In enclosures a parallelogram stays undecided.
+    let rounded = |z: &Joint<Surd>| {
+        let part = |x: &Number<Surd>| ball(&(x.0.rational().unwrap().clone() / 3u32));
+        Joint::At(Number::complex(
+            part(z.point().unwrap().re()),
+            part(z.point().unwrap().im()),
+        ))
+    };
+    let enclosed = Passage {
+        pivots: above.pivots.each_ref().map(rounded),
+        joints: above
+            .joints
+            .iter()
+            .map(|joints| joints.each_ref().map(rounded))
+            .collect(),
+    };
+    assert_eq!(enclosed.link_type(), None);
+    assert_eq!(enclosed.circuit(), None);
+}
+
+#[test]
+fn joints_that_coincide() {
+    let same_center = exact(&[(3, 4, 4, 3), (-3, 4, -4, 3)], [(0, 0), (0, 0)]);
+    assert_eq!(same_center.degenerate(), Some(vec![Degenerate::SameCenter]));
+    assert_eq!(same_center.circuit(), Some(vec![true, false]));
+    assert_eq!(same_center.is_crank(Drive::First), Some(true));
+    let same_circlepoint = exact(&[(3, 4, 3, 4)], [(0, 0), (6, 0)]);
+    assert_eq!(
+        same_circlepoint.degenerate(),
+        Some(vec![Degenerate::SameCirclepoint])
+    );
+    let no_link = exact(&[(0, 0, 3, 4)], [(0, 0), (6, 0)]);
+    assert_eq!(no_link.degenerate(), Some(vec![Degenerate::LinkOfNoLength]));
+    for passage in [&same_circlepoint, &no_link] {
+        for drive in Drive::ALL {
+            let _ = (
+                passage.order(drive),
+                passage.transmission(drive),
+                passage.branch(drive),
+            );
+        }
+    }
+}
+
 #[test]
 fn four_bars() {
     let (_, types) = compare_many([0, 0], seed::rounds(400), "four_bars");
-    for kind in [Type::CrankAndLever, Type::DragLink, Type::GrashofDoubleLever, Type::DoubleLever] {
+    for kind in [
+        Type::CrankAndLever,
+        Type::DragLink,
+        Type::GrashofDoubleLever,
+        Type::DoubleLever,
+    ] {
         assert!(types.contains_key(&format!("{kind:?}")), "no {kind:?}");
     }
 }
@@ -289,7 +595,11 @@ fn slider_cranks() {
 #[test]
 fn inverted_slider_cranks() {
     compare_many([0, 2], seed::rounds(120), "inverted_slider_cranks");
-    compare_many([2, 0], seed::rounds(60), "inverted_slider_cranks, exchanged");
+    compare_many(
+        [2, 0],
+        seed::rounds(60),
+        "inverted_slider_cranks, exchanged",
+    );
 }
 
 #[test]
@@ -305,5 +615,9 @@ fn two_turning_blocks() {
 #[test]
 fn slides_and_turning_blocks() {
     compare_many([1, 2], seed::rounds(80), "slides_and_turning_blocks");
-    compare_many([2, 1], seed::rounds(80), "slides_and_turning_blocks, exchanged");
+    compare_many(
+        [2, 1],
+        seed::rounds(80),
+        "slides_and_turning_blocks, exchanged",
+    );
 }

@@ -29,7 +29,10 @@ pub fn ranked(list: &Value, depth: usize) -> Option<String> {
     let words = if places.is_empty() {
         "no linkage fulfils all wishes".to_owned()
     } else {
-        format!("all wishes are fulfilled, best first, by {}", places.join(", "))
+        format!(
+            "all wishes are fulfilled, best first, by {}",
+            places.join(", ")
+        )
     };
     Some(format!("{}{words}\n", "  ".repeat(depth)))
 }
@@ -44,26 +47,35 @@ fn linkage(place: usize, value: &Value, infinite: &Value, indent: &str) -> Optio
         place + 1,
         names.join(" and ")
     );
+    let defects: Vec<&str> = words(value.get("defects")).collect();
     for (drive, name) in ["first", "second"].iter().zip(&names) {
         let part = |field: &str| value.get(field).and_then(|both| both.get(drive));
-        text += &format!(
-            "{indent}  driven at {name}{}: {}\n",
-            match part("crank") {
-                Some(Value::Bool(true)) => " (turns fully)",
-                Some(Value::Bool(false)) if !name.starts_with("slide") => " (rocks)",
-                _ => "",
-            },
-            passage(part("branch"), part("order"), part("transmission"))
-        );
+        let turns = match part("crank") {
+            Some(Value::Bool(true)) => " (turns fully)",
+            Some(Value::Bool(false)) if !name.starts_with("slide") => " (rocks)",
+            _ => "",
+        };
+        let words = match part("branch") {
+            Some(Value::Bool(false)) => defects
+                .iter()
+                .find_map(|defect| of_drive(defect, drive))
+                .unwrap_or("does not reach all positions")
+                .to_owned(),
+            _ => passage(part("order"), part("transmission")),
+        };
+        text += &format!("{indent}  driven at {name}{turns}: {words}\n");
     }
-    for defect in words(value.get("defects")) {
-        text += &format!("{indent}  defect: {defect}\n");
+    for defect in &defects {
+        let said = ["first", "second"].map(|drive| of_drive(defect, drive));
+        if said == [None, None] {
+            text += &format!("{indent}  defect: {defect}\n");
+        }
     }
     match value.get("fulfils") {
         Some(Value::Bool(true)) => text += &format!("{indent}  all wishes fulfilled\n"),
         Some(_) => {
             for miss in words(value.get("misses")) {
-                text += &format!("{indent}  wish missed: {miss}\n");
+                text += &format!("{indent}  wish not fulfilled: {miss}\n");
             }
         }
         None => {}
@@ -84,10 +96,12 @@ fn name(pair: &Value, infinite: &Value) -> Option<String> {
     Some(format!("{kind} at_infinity {}", place + 1))
 }
 
-fn passage(branch: Option<&Value>, order: Option<&Value>, transmission: Option<&Value>) -> String {
-    if let Some(Value::Bool(false)) = branch {
-        return "does not reach all positions".to_owned();
-    }
+/// What a defect says of one drive.
+fn of_drive<'a>(defect: &'a str, drive: &str) -> Option<&'a str> {
+    defect.strip_prefix(&format!("driven at the {drive} pair, "))
+}
+
+fn passage(order: Option<&Value>, transmission: Option<&Value>) -> String {
     let numbers: Vec<String> = order
         .and_then(Value::as_array)
         .into_iter()

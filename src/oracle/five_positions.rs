@@ -67,11 +67,7 @@ fn certified(given: &Given, wishes: Option<&Wishes>, digits: u32) -> Map<String,
 }
 
 /// Floats are rational numbers: solved exactly, and rounded.
-fn of_floats(
-    given: &Given,
-    wishes: Option<&Wishes>,
-    request: &Request,
-) -> Map<String, Value> {
+fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<String, Value> {
     let mut attempt = Attempt::new(request.digits.min(15), 192);
     let floats = given.rounded::<f64>(&());
     let exact =
@@ -446,7 +442,9 @@ fn dyads_at_infinity(found: &Found, listed: &[Value]) -> Vec<Dyad> {
     let mut dyads = Vec::new();
     for pair in found.real.iter().filter(|pair| pair.place != Place::Finite) {
         let [_, x, y, cx, cy, ..] = &pair.coordinates;
-        let shown = listed.get(place).map_or(&Value::Null, |value| &value["direction"]);
+        let shown = listed
+            .get(place)
+            .map_or(&Value::Null, |value| &value["direction"]);
         let direction = |x: &Number<Ball>, y: &Number<Ball>| Number::complex(x.clone(), y.clone());
         match pair.place {
             Place::CenterAtInfinity => {

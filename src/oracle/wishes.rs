@@ -269,7 +269,10 @@ fn region_of(fields: &Fields<'_>) -> Result<Region<Ball>, ProblemError> {
             [p, q] => Ok(Region::Box([point(p), point(q)])),
             list => Err(fields.error(
                 "box",
-                format!("two opposite corners were expected, not {} points", list.len()),
+                format!(
+                    "two opposite corners were expected, not {} points",
+                    list.len()
+                ),
             )),
         },
         [false, true, false] => {
@@ -285,7 +288,10 @@ fn region_of(fields: &Fields<'_>) -> Result<Region<Ball>, ProblemError> {
             if list.len() < 3 || list.len() > MOST_VERTICES {
                 return Err(fields.error(
                     "polygon",
-                    format!("3 to {MOST_VERTICES} vertices were expected, not {}", list.len()),
+                    format!(
+                        "3 to {MOST_VERTICES} vertices were expected, not {}",
+                        list.len()
+                    ),
                 ));
             }
             let exact: Vec<Point<Exact>> = list.iter().map(point).collect();

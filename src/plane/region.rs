@@ -153,7 +153,14 @@ mod tests {
     fn a_box_by_any_two_corners() {
         for corners in [[(0, 0), (4, 2)], [(4, 0), (0, 2)], [(4, 2), (0, 0)]] {
             let region = Region::Box(corners.map(|(x, y)| point(x, y)));
-            for (x, y, inside) in [(1, 1, true), (0, 0, true), (4, 1, true), (5, 1, false), (1, 3, false), (-1, 1, false)] {
+            for (x, y, inside) in [
+                (1, 1, true),
+                (0, 0, true),
+                (4, 1, true),
+                (5, 1, false),
+                (1, 3, false),
+                (-1, 1, false),
+            ] {
                 assert_eq!(region.contains(&point(x, y)), inside.into(), "{x}, {y}");
             }
         }
@@ -161,7 +168,10 @@ mod tests {
 
     #[test]
     fn a_circle_with_its_boundary() {
-        let region = Region::Circle { center: point(1, 0), radius: 5.into() };
+        let region = Region::Circle {
+            center: point(1, 0),
+            radius: 5.into(),
+        };
         for (x, y, inside) in [(4, 4, true), (1, 1, true), (5, 4, false), (-4, 0, true)] {
             assert_eq!(region.contains(&point(x, y)), inside.into(), "{x}, {y}");
         }
@@ -170,16 +180,41 @@ mod tests {
     /// A comb: rays pass through vertices and along edges.
     #[test]
     fn a_polygon_with_its_boundary() {
-        let comb = polygon(&[(0, 0), (9, 0), (9, 4), (7, 4), (7, 2), (5, 2), (5, 4), (3, 4), (3, 2), (2, 2), (0, 4)]);
+        let comb = polygon(&[
+            (0, 0),
+            (9, 0),
+            (9, 4),
+            (7, 4),
+            (7, 2),
+            (5, 2),
+            (5, 4),
+            (3, 4),
+            (3, 2),
+            (2, 2),
+            (0, 4),
+        ]);
         assert!(is_simple(&comb).is_yes());
         let mut turned = comb.clone();
         turned.reverse();
         for vertices in [comb, turned] {
             let region = Region::Polygon(vertices);
             for (x, y, inside) in [
-                (1, 2, true), (4, 2, true), (6, 2, true), (6, 3, false), (4, 3, true), (2, 3, false),
-                (8, 3, true), (-1, 2, false), (10, 2, false), (6, 4, false), (8, 4, true), (0, 4, true),
-                (1, 4, false), (10, 0, false), (-1, 4, false), (1, 3, true),
+                (1, 2, true),
+                (4, 2, true),
+                (6, 2, true),
+                (6, 3, false),
+                (4, 3, true),
+                (2, 3, false),
+                (8, 3, true),
+                (-1, 2, false),
+                (10, 2, false),
+                (6, 4, false),
+                (8, 4, true),
+                (0, 4, true),
+                (1, 4, false),
+                (10, 0, false),
+                (-1, 4, false),
+                (1, 3, true),
             ] {
                 assert_eq!(region.contains(&point(x, y)), inside.into(), "{x}, {y}");
             }

@@ -62,9 +62,10 @@ impl Dyad {
     /// The joint, or the normal of the line in a block, and whether it is a joint.
     fn at(&self, t: f64) -> (Vector, bool) {
         match self {
-            Dyad::Link { center, length } => {
-                ([center[0] + length * t.cos(), center[1] + length * t.sin()], true)
-            }
+            Dyad::Link { center, length } => (
+                [center[0] + length * t.cos(), center[1] + length * t.sin()],
+                true,
+            ),
             Dyad::Slide { origin, along } => {
                 ([origin[0] + t * along[0], origin[1] + t * along[1]], true)
             }
@@ -151,7 +152,18 @@ impl Chain {
         points.reverse();
         points.pop();
         points.extend(ahead.points);
-        Some(Trace { points, closed: false })
+        Some(Trace {
+            points,
+            closed: false,
+        })
+    }
+
+    /// Whether a slider may go away for ever: where a block holds it.
+    fn is_open(&self) -> bool {
+        let [first, second] = &self.dyads;
+        let slides = |dyad: &Dyad| matches!(dyad, Dyad::Slide { .. });
+        let blocks = |dyad: &Dyad| matches!(dyad, Dyad::Block { .. });
+        slides(first) && blocks(second) || blocks(first) && slides(second)
     }
 
     fn trace_one_way(&self, start: Vector, sense: f64) -> Option<Trace> {
@@ -181,10 +193,19 @@ impl Chain {
             p = self.corrected([p[0] + tangent[0], p[1] + tangent[1]])?;
             points.push(p);
             if step > 10 && self.apart(p, start) < 0.75 * STEP {
-                return Some(Trace { points, closed: true });
+                return Some(Trace {
+                    points,
+                    closed: true,
+                });
             }
             if (0..2).any(|i| !self.dyads[i].turns() && p[i].abs() > FAR) {
-                return Some(Trace { points, closed: false });
+                if !self.is_open() {
+                    return None;
+                }
+                return Some(Trace {
+                    points,
+                    closed: false,
+                });
             }
         }
         None
@@ -229,18 +250,36 @@ impl Chain {
                 return None;
             });
         }
-        let drives = [self.drive(0, &trace, places, &indices)?, self.drive(1, &trace, places, &indices)?];
-        Some(Followed { circuit: indices.iter().map(Option::is_some).collect(), drives })
+        let drives = [
+            self.drive(0, &trace, places, &indices)?,
+            self.drive(1, &trace, places, &indices)?,
+        ];
+        Some(Followed {
+            circuit: indices.iter().map(Option::is_some).collect(),
+            drives,
+        })
     }
 
-    fn drive(&self, drive: usize, trace: &Trace, places: &[Vector], indices: &[Option<usize>]) -> Option<Verdict> {
+    fn drive(
+        &self,
+        drive: usize,
+        trace: &Trace,
+        places: &[Vector],
+        indices: &[Option<usize>],
+    ) -> Option<Verdict> {
         let points = &trace.points;
         let u = |index: usize| points[index][drive];
         let steps = points.len() - 1;
         let signs: Vec<bool> = (0..steps).map(|i| u(i + 1) > u(i)).collect();
         let dead: Vec<usize> = (0..steps)
             .filter(|i| {
-                let next = if i + 1 < steps { i + 1 } else if trace.closed { 0 } else { *i };
+                let next = if i + 1 < steps {
+                    i + 1
+                } else if trace.closed {
+                    0
+                } else {
+                    *i
+                };
                 signs[*i] != signs[next]
             })
             .map(|i| i + 1)
@@ -249,7 +288,11 @@ impl Chain {
         // Too near to a dead centre, in steps along the curve.
         let distance = |i: usize, j: usize| {
             let direct = i.abs_diff(j);
-            if trace.closed { direct.min(steps - direct) } else { direct }
+            if trace.closed {
+                direct.min(steps - direct)
+            } else {
+                direct
+            }
         };
         for index in indices.iter().flatten() {
             if dead.iter().any(|dead| distance(*index, *dead) < NEAR) {
@@ -259,7 +302,11 @@ impl Chain {
         // The branch of a point of the curve: how many dead centres come before it, around the start.
         let branch_of = |index: usize| {
             let before = dead.iter().filter(|dead| **dead <= index).count();
-            if trace.closed && !dead.is_empty() { before % dead.len() } else { before }
+            if trace.closed && !dead.is_empty() {
+                before % dead.len()
+            } else {
+                before
+            }
         };
         let first = indices[0]?;
         let branch: Vec<bool> = indices
@@ -267,7 +314,12 @@ impl Chain {
             .map(|index| index.is_some_and(|index| branch_of(index) == branch_of(first)))
             .collect();
         if !branch.iter().all(|reached| *reached) {
-            return Some(Verdict { crank, branch, order: None, cosines: None });
+            return Some(Verdict {
+                crank,
+                branch,
+                order: None,
+                cosines: None,
+            });
         }
         // Points of the curve on this branch, from the first position in both directions.
         let mut order: Vec<(f64, usize)> = Vec::new();
@@ -288,10 +340,11 @@ impl Chain {
         let (least, greatest) = (ways[0], *ways.last()?);
         let mut cosines: Vec<f64> = Vec::new();
         for index in 0..points.len() {
-            let within = crank || branch_of(index) == branch_of(first) && {
-                let way = self.way(drive, trace, &dead, first, index);
-                least <= way && way <= greatest
-            };
+            let within = crank
+                || branch_of(index) == branch_of(first) && {
+                    let way = self.way(drive, trace, &dead, first, index);
+                    least <= way && way <= greatest
+                };
             if within {
                 cosines.extend(self.cosine(drive, points[index]));
             }
@@ -306,7 +359,12 @@ impl Chain {
             ]
         });
         let order = order.into_iter().map(|(_, place)| place).collect();
-        Some(Verdict { crank, branch, order: Some(order), cosines })
+        Some(Verdict {
+            crank,
+            branch,
+            order: Some(order),
+            cosines,
+        })
     }
 
     /// How far the driving link goes on a branch from one point of the curve to another.
@@ -321,6 +379,10 @@ impl Chain {
         // The other way round, through the start of the curve.
         let last = trace.points.len() - 1;
         let around = u(last) - u(0);
-        if to < from { direct + around } else { direct - around }
+        if to < from {
+            direct + around
+        } else {
+            direct - around
+        }
     }
 }

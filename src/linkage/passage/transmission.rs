@@ -27,7 +27,8 @@ impl<K: Real> Passage<K> {
 
     /// Whether there is a transmission angle: not between two blocks, which turn together.
     pub fn has_transmission_angle(&self) -> bool {
-        let blocks = |joints: &[Joint<K>; 2]| matches!(joints, [Joint::Towards(_), Joint::Towards(_)]);
+        let blocks =
+            |joints: &[Joint<K>; 2]| matches!(joints, [Joint::Towards(_), Joint::Towards(_)]);
         !self.joints.first().is_some_and(blocks)
     }
 }

@@ -56,13 +56,15 @@ impl Linkage<'_> {
                 attempt.decided(name, value)
             }
         };
-        let both = |attempt: &mut Attempt,
-                        of: &dyn Fn(&mut Attempt, &Driven) -> Value| {
+        let both = |attempt: &mut Attempt, of: &dyn Fn(&mut Attempt, &Driven) -> Value| {
             let [first, second] = facts.drives.each_ref().map(|driven| of(attempt, driven));
             json!({"first": first, "second": second})
         };
         let kind = facts.link_type.map(|kind| json!(words::name(kind)));
-        let circuit = facts.circuit.as_deref().map(|reached| json!(facts::all(reached)));
+        let circuit = facts
+            .circuit
+            .as_deref()
+            .map(|reached| json!(facts::all(reached)));
         if facts.degenerate.is_none() {
             attempt.decided("linkages.defects", None);
         }

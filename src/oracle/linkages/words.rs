@@ -33,7 +33,8 @@ pub fn defects(facts: &Facts) -> Vec<String> {
     let mut list: Vec<String> = degenerate.map(str::to_owned).collect();
     if facts.link_type == Some(Type::ChangePoint) {
         list.push(
-            "change point: all links can lie on one line, where the motion is not determined".into(),
+            "change point: all links can lie on one line, where the motion is not determined"
+                .into(),
         );
     }
     let elsewhere = facts.circuit.as_deref().and_then(others);
