@@ -180,8 +180,8 @@ fn slider_crank(random: &mut ChaCha8Rng) -> ([i64; 3], Vec<Pose>) {
     let (r, e) = (random.random_range(1..6), random.random_range(-4i64..=4));
     let l = r + e.abs() + random.random_range(1..5);
     let side: i64 = if random.random() { 1 } else { -1 };
-    let poses = turning(random).iter().map(|t| {
-        let [cos, sin] = turn(t);
+    let poses = turning(random).into_iter().map(|t| {
+        let [cos, sin] = turn(&t);
         let pin = Number::complex(ball(&(cos * r)), ball(&(sin * r)));
         let room = (l * l - (pin.im() - e).square()).sqrt() * side;
         let x = middle(&(pin.re() + room));

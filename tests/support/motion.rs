@@ -192,7 +192,7 @@ impl Chain {
             tangent = tangent.map(|t| t * STEP * scale);
             p = self.corrected([p[0] + tangent[0], p[1] + tangent[1]])?;
             points.push(p);
-            if step > 10 && self.apart(p, start) < 0.75 * STEP {
+            if step > 10 && self.apart(p, start) < 0.75 * STEP * scale {
                 return Some(Trace {
                     points,
                     closed: true,
@@ -229,6 +229,11 @@ impl Chain {
 
     /// Follows the circuit of the first position; `None` where a position is too near to a boundary.
     pub fn follow(&self, places: &[Vector]) -> Option<Followed> {
+        let away =
+            |place: &Vector| (0..2).any(|i| !self.dyads[i].turns() && place[i].abs() > FAR / 2.0);
+        if places.iter().any(away) {
+            return None;
+        }
         let trace = self.trace(*places.first()?)?;
         let mut indices = Vec::new();
         for place in places {
@@ -343,7 +348,7 @@ impl Chain {
             let within = crank
                 || branch_of(index) == branch_of(first) && {
                     let way = self.way(drive, trace, &dead, first, index);
-                    least <= way && way <= greatest
+                    least < way && way < greatest
                 };
             if within {
                 cosines.extend(self.cosine(drive, points[index]));
