@@ -398,9 +398,11 @@ fn the_choice_of_axes_and_names_does_not_matter() {
         );
         let reached = branch.iter().all(|one| *one);
         whole += usize::from(reached);
-        let order = reached
-            .then(|| passage.order(drive).unwrap())
-            .unwrap_or_default();
+        let order = if reached {
+            passage.order(drive).unwrap()
+        } else {
+            Vec::new()
+        };
         let angle = passage.has_transmission_angle() && reached;
         let cosines = angle.then(|| passage.transmission(drive).unwrap());
         let same_angles = |other: &Passage<Ball>, drive: Drive| {

@@ -178,10 +178,8 @@ impl Chain {
             }
             let mut tangent = [-sense * g[1] / length, sense * g[0] / length];
             // Two pieces that come this near to each other could be confused.
-            if let Some(last) = last {
-                if dot(tangent, last) < 0.9 {
-                    return None;
-                }
+            if last.is_some_and(|last| dot(tangent, last) < 0.9) {
+                return None;
             }
             last = Some(tangent);
             // Far away steps grow with the distance.
@@ -344,14 +342,14 @@ impl Chain {
         let ways: Vec<f64> = order.iter().map(|(way, _)| *way).collect();
         let (least, greatest) = (ways[0], *ways.last()?);
         let mut cosines: Vec<f64> = Vec::new();
-        for index in 0..points.len() {
+        for (index, point) in points.iter().enumerate() {
             let within = crank
                 || branch_of(index) == branch_of(first) && {
                     let way = self.way(drive, trace, &dead, first, index);
                     least < way && way < greatest
                 };
             if within {
-                cosines.extend(self.cosine(drive, points[index]));
+                cosines.extend(self.cosine(drive, *point));
             }
         }
         if !crank {
