@@ -6,10 +6,11 @@ use rug::Rational;
 use serde_json::{Map, Value, json};
 
 use super::input::Fields;
-use super::linkages;
+use super::linkages::{self, Dyad};
 use super::numeral::{Numeral, together};
 use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
+use super::wishes::Wishes;
 use super::{Arithmetic, ProblemError, Request};
 use crate::finite::five_positions::conditions::finite_pair;
 use crate::finite::five_positions::conics::{self, Isolated, Pair, Pairs, Place};
@@ -24,11 +25,12 @@ use crate::plane::polynomial::Polynomial;
 
 /// Reads and solves the problem.
 pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
-    fields.only(&["positions"])?;
+    fields.only(&["positions", "wishes"])?;
     let given = Given::read(fields, 5, 5)?;
+    let wishes = Wishes::read(fields)?;
     let mut answer = match request.arithmetic {
-        Arithmetic::Float => of_floats(&given, request),
-        Arithmetic::Certified => certified(&given, request.digits),
+        Arithmetic::Float => of_floats(&given, wishes.as_ref(), request),
+        Arithmetic::Certified => certified(&given, wishes.as_ref(), request.digits),
     };
     if let Some(angles) = given.fitted(request) {
         answer.insert("fitted_angles".into(), angles);
@@ -38,7 +40,7 @@ pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Valu
 
 type Five<K> = [Displacement<K>; 5];
 
-fn certified(given: &Given, digits: u32) -> Map<String, Value> {
+fn certified(given: &Given, wishes: Option<&Wishes>, digits: u32) -> Map<String, Value> {
     let rational = given.rational().and_then(|positions| five(&positions));
     let exact = rational.as_ref().map(|five| (five, conics::pairs(five)));
     sharpen(digits, |attempt| {
@@ -50,14 +52,23 @@ fn certified(given: &Given, digits: u32) -> Map<String, Value> {
             (None, None) => None,
         };
         match (found, positions) {
-            (Some(found), Some(positions)) => Writer { attempt, positions }.answer(&found),
+            (Some(found), Some(positions)) => {
+                let exact = rational.clone();
+                let writer = Writer {
+                    attempt,
+                    positions,
+                    exact,
+                    wishes,
+                };
+                writer.answer(&found)
+            }
             _ => undecided(attempt),
         }
     })
 }
 
 /// Floats are rational numbers: solved exactly, and rounded.
-fn of_floats(given: &Given, request: &Request) -> Map<String, Value> {
+fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<String, Value> {
     let mut attempt = Attempt::new(request.digits.min(15), 192);
     let floats = given.rounded::<f64>(&());
     let exact =
@@ -87,6 +98,8 @@ fn of_floats(given: &Given, request: &Request) -> Map<String, Value> {
     let mut answer = Writer {
         attempt: &mut attempt,
         positions,
+        exact: Some(five.clone()),
+        wishes,
     }
     .answer(&found);
     answer.remove("certificate");
@@ -150,6 +163,16 @@ impl Real {
             coordinates: pair.coordinates.each_ref().map(ball),
             place: pair.place,
             multiplicity: pair.multiplicity,
+        }
+    }
+
+    /// The finite point of a pair whose other point is at infinity.
+    fn beside_infinity(&self) -> Point<Ball> {
+        let [_, x, y, cx, cy, p, q] = &self.coordinates;
+        let w = Number::complex(p.clone(), q.clone());
+        match self.place {
+            Place::CirclepointAtInfinity => (w / Number::complex(x.clone(), y.clone())).conj(),
+            _ => w / Number::complex(cx.clone(), -cy),
         }
     }
 }
@@ -251,10 +274,13 @@ impl Found {
 struct Writer<'a> {
     attempt: &'a mut Attempt,
     positions: Five<Ball>,
+    /// The positions, where they are rational.
+    exact: Option<Five<Exact>>,
+    wishes: Option<&'a Wishes>,
 }
 
 impl Writer<'_> {
-    fn answer(&mut self, found: &Found) -> Map<String, Value> {
+    fn answer(mut self, found: &Found) -> Map<String, Value> {
         let mut pairs: Vec<(&Real, [Point<Ball>; 2])> = found
             .real
             .iter()
@@ -276,6 +302,7 @@ impl Writer<'_> {
             .collect();
         let infinite: Vec<Value> = self.at_infinity(found);
         answer.insert("complex_pairs".into(), json!(complex));
+        let at_infinity = dyads_at_infinity(found, &infinite);
         answer.insert("at_infinity".into(), json!(infinite));
         let family = match &found.family {
             Families::None => Value::Null,
@@ -293,8 +320,22 @@ impl Writer<'_> {
         answer.insert("counts".into(), counts(found));
         let points: Vec<[Point<Ball>; 2]> =
             pairs.iter().map(|(_, points)| points.clone()).collect();
-        let linkages = linkages::all(self.attempt, &self.positions, &points);
-        answer.insert("linkages".into(), json!(linkages));
+        let finite = points.iter().cloned().enumerate();
+        let mut dyads: Vec<Dyad> = finite
+            .map(|(place, points)| Dyad::finite(place, points))
+            .collect();
+        dyads.extend(at_infinity);
+        let bits = self.attempt.bits;
+        let linkages = linkages::all(&dyads, self.exact.as_ref(), &self.positions, bits);
+        let mut written: Vec<Value> = linkages
+            .iter()
+            .map(|linkage| linkage.written(self.attempt))
+            .collect();
+        let ranked = self
+            .wishes
+            .map(|wishes| wishes.judge(self.attempt, &linkages, &mut written));
+        answer.insert("linkages".into(), json!(written));
+        answer.extend(ranked.map(|ranked| ("ranked".to_owned(), ranked)));
         answer.insert("certificate".into(), self.certificate(found, &points));
         answer
     }
@@ -338,12 +379,11 @@ impl Writer<'_> {
     fn at_infinity(&mut self, found: &Found) -> Vec<Value> {
         let mut list = Vec::new();
         for pair in &found.real {
-            let [_, x, y, cx, cy, p, q] = &pair.coordinates;
-            let w = Number::complex(p.clone(), q.clone());
+            let [_, x, y, cx, cy, ..] = &pair.coordinates;
             let value = match pair.place {
                 Place::Finite => continue,
                 Place::CenterAtInfinity => {
-                    let z = w / Number::complex(cx.clone(), -cy);
+                    let z = pair.beside_infinity();
                     json!({
                         "kind": "center",
                         "circlepoint": self.attempt.finite_point("at_infinity", &z),
@@ -351,7 +391,7 @@ impl Writer<'_> {
                     })
                 }
                 Place::CirclepointAtInfinity => {
-                    let m = (w / Number::complex(x.clone(), y.clone())).conj();
+                    let m = pair.beside_infinity();
                     json!({
                         "kind": "circlepoint",
                         "direction": self.direction([x, y]),
@@ -428,6 +468,32 @@ impl Writer<'_> {
             .collect();
         json!({"method": found.method, "bits": bits, "krawczyk": verified})
     }
+}
+
+/// The pairs at infinity that are slides or turning blocks, named by their first place in the list.
+fn dyads_at_infinity(found: &Found, listed: &[Value]) -> Vec<Dyad> {
+    let mut place = 0;
+    let mut dyads = Vec::new();
+    for pair in found.real.iter().filter(|pair| pair.place != Place::Finite) {
+        let [_, x, y, cx, cy, ..] = &pair.coordinates;
+        let shown = listed
+            .get(place)
+            .map_or(&Value::Null, |value| &value["direction"]);
+        let direction = |x: &Number<Ball>, y: &Number<Ball>| Number::complex(x.clone(), y.clone());
+        match pair.place {
+            Place::CenterAtInfinity => {
+                let point = pair.beside_infinity();
+                dyads.push(Dyad::slide(place, point, &direction(cx, cy), shown));
+            }
+            Place::CirclepointAtInfinity => {
+                let point = pair.beside_infinity();
+                dyads.push(Dyad::block(place, &direction(x, y), shown, point));
+            }
+            _ => {}
+        }
+        place += pair.multiplicity;
+    }
+    dyads
 }
 
 fn by_coordinates(a: &Point<Ball>, b: &Point<Ball>) -> Ordering {

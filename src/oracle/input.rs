@@ -72,7 +72,11 @@ impl<'a> Fields<'a> {
 
     /// Rejects fields that this kind of problem does not have.
     pub fn only(&self, expected: &[&str]) -> Result<(), ProblemError> {
-        let common = ["problem", "id", "note"];
+        let common: &[&str] = if self.place.is_empty() {
+            &["problem", "id", "note"]
+        } else {
+            &[]
+        };
         for name in self.object.keys() {
             if !common.contains(&name.as_str()) && !expected.contains(&name.as_str()) {
                 return Err(self.error(
@@ -102,32 +106,37 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A list of points, each a list of two numbers.
+    /// Whether there is such a field.
+    pub fn has(&self, name: &str) -> bool {
+        self.object.contains_key(name)
+    }
+
+    /// An object.
+    pub fn object(&self, name: &str) -> Result<Fields<'a>, ProblemError> {
+        Fields::at(self.get(name)?, &self.path(name))
+    }
+
+    /// An object that may be missing.
+    pub fn optional_object(&self, name: &str) -> Result<Option<Fields<'a>>, ProblemError> {
+        self.has(name).then(|| self.object(name)).transpose()
+    }
+
+    /// A point, a list of two numbers.
+    pub fn point(&self, name: &str) -> Result<[Rational; 2], ProblemError> {
+        point(self.get(name)?, &self.path(name))
+    }
+
+    /// A list of points.
     pub fn points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
-        let read = |(place, value): (usize, &Value)| {
-            let place = format!("{}[{place}]", self.path(name));
-            match value {
-                Value::Array(pair) if pair.len() == 2 => {
-                    let part = |axis: usize| {
-                        number(
-                            pair.get(axis).unwrap_or(&Value::Null),
-                            &format!("{place}[{axis}]"),
-                        )
-                    };
-                    Ok([part(0)?, part(1)?])
-                }
-                other => Err(ProblemError::new(
-                    &place,
-                    format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),
-                )),
-            }
-        };
-        self.list(name)?.iter().enumerate().map(read).collect()
+        let places = self.list(name)?.iter().enumerate();
+        places
+            .map(|(place, value)| point(value, &format!("{}[{place}]", self.path(name))))
+            .collect()
     }
 
     /// The points of a field that may be missing.
     pub fn optional_points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
-        if self.object.contains_key(name) {
+        if self.has(name) {
             self.points(name)
         } else {
             Ok(Vec::new())
@@ -168,6 +177,29 @@ fn kind(value: &Value) -> &'static str {
         Value::String(_) => "a string",
         Value::Array(_) => "a list",
         Value::Object(_) => "an object",
+    }
+}
+
+/// A list of two numbers.
+fn point(value: &Value, place: &str) -> Result<[Rational; 2], ProblemError> {
+    match value {
+        Value::Array(pair) => match pair.as_slice() {
+            [x, y] => Ok([
+                number(x, &format!("{place}[0]"))?,
+                number(y, &format!("{place}[1]"))?,
+            ]),
+            list => Err(ProblemError::new(
+                place,
+                format!(
+                    "a point [\"x\", \"y\"] was expected, not a list of {}",
+                    list.len()
+                ),
+            )),
+        },
+        other => Err(ProblemError::new(
+            place,
+            format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),
+        )),
     }
 }
 

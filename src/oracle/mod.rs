@@ -14,6 +14,7 @@ mod positions;
 mod sharpen;
 mod slider_crank_alternates;
 mod three_positions;
+mod wishes;
 
 use serde_json::{Map, Value, json};
 use thiserror::Error;

@@ -17,6 +17,7 @@ pub mod line;
 pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;
+pub mod region;
 pub mod relation;
 pub mod tangents;
 pub mod trace;
