@@ -88,7 +88,8 @@ impl<'a> Fields<'a> {
         Ok(())
     }
 
-    fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
+    /// The field as it is.
+    pub fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
         self.object
             .get(name)
             .ok_or_else(|| self.error(name, "this field is missing"))

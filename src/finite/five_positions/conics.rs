@@ -172,27 +172,41 @@ impl Isolated {
     }
 
     /// The pairs that are not known already: the other roots of the same polynomial. `None` where
-    /// one of the known ones is none of them.
+    /// one of the known ones is none of them, or is listed more often than it counts.
     pub fn without(&self, known: &[Coordinates<Exact>]) -> Option<Self> {
         let parts = self.parts.iter();
         let mut rest = parts.fold(Poly::from_integers(&[1]), |all, (_, part)| all * part);
         for pair in known {
-            // Where the coordinates are in one ratio with the known ones.
-            let mut same = rest.clone();
-            for (i, (own, other)) in self.coordinates.iter().zip(pair).enumerate() {
-                let later = self.coordinates.iter().zip(pair).skip(i + 1);
-                for (own_later, other_later) in later {
-                    let minor = own.scaled(other_later) - own_later.scaled(other);
-                    same = same.gcd(&minor)?;
-                }
-            }
-            let root = same.square_free_part()?;
-            if root.degree() != Some(1) {
-                return None;
-            }
-            rest = rest.divide(&root)?.0;
+            rest = rest.divide(&self.root_of(&rest, pair)?)?.0;
         }
         Isolated::new(&rest, &self.coordinates)
+    }
+
+    /// Which of the real pairs this is, as [`real`](Self::real) lists them.
+    pub fn place_of(&self, known: &Coordinates<Exact>) -> Option<usize> {
+        let parts = self.parts.iter();
+        let all = parts.fold(Poly::from_integers(&[1]), |all, (_, part)| all * part);
+        let linear = self.root_of(&all, known)?;
+        let s = rational(&-(linear.coefficient(0) / linear.coefficient(1)));
+        let real = self.roots.iter().filter_map(|root| match root {
+            Root::Real(root, _) => Some(root),
+            Root::Complex(..) => None,
+        });
+        real.into_iter().position(|root| root.compare(&s).is_eq())
+    }
+
+    /// The linear factor where the coordinates are in one ratio with those of a known pair.
+    fn root_of(&self, polynomial: &Poly, known: &Coordinates<Exact>) -> Option<Poly> {
+        let mut same = polynomial.clone();
+        for (i, (own, other)) in self.coordinates.iter().zip(known).enumerate() {
+            let later = self.coordinates.iter().zip(known).skip(i + 1);
+            for (own_later, other_later) in later {
+                let minor = own.scaled(other_later) - own_later.scaled(other);
+                same = same.gcd(&minor)?;
+            }
+        }
+        same.square_free_part()
+            .filter(|root| root.degree() == Some(1))
     }
 
     /// The polynomial in −x whose roots, with their multiplicities, belong to the finite pairs; a

@@ -1,286 +1,36 @@
-//! `five-positions`: all Burmester pairs, with proof, and the linkages that they make.
+//! Writes what was found of five positions.
 
 use std::cmp::Ordering;
 
-use rug::Rational;
 use serde_json::{Map, Value, json};
 
-use super::input::Fields;
-use super::linkages::{self, Dyad};
-use super::numeral::{Numeral, together};
-use super::positions::Given;
-use super::sharpen::{Attempt, sharpen};
-use super::wishes::Wishes;
-use super::{Arithmetic, ProblemError, Request};
+use super::Five;
+use super::found::{Couple, Families, Found, Real};
 use crate::finite::five_positions::conditions::finite_pair;
-use crate::finite::five_positions::conics::{self, Isolated, Pair, Pairs, Place};
-use crate::finite::five_positions::families::{self, Family};
-use crate::finite::five_positions::{enclosed, krawczyk};
-use crate::finite::positions::Positions;
+use crate::finite::five_positions::conics::Place;
+use crate::finite::five_positions::families::Family;
+use crate::finite::five_positions::krawczyk;
 use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
+use crate::oracle::linkages::{self, Dyad};
+use crate::oracle::numeral::{Numeral, together};
+use crate::oracle::sharpen::Attempt;
+use crate::oracle::wishes::Wishes;
 use crate::plane::Point;
-use crate::plane::displacement::Displacement;
 use crate::plane::polynomial::Polynomial;
 
-/// Reads and solves the problem.
-pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
-    fields.only(&["positions", "wishes"])?;
-    let given = Given::read(fields, 5, 5)?;
-    let wishes = Wishes::read(fields)?;
-    let mut answer = match request.arithmetic {
-        Arithmetic::Float => of_floats(&given, wishes.as_ref(), request),
-        Arithmetic::Certified => certified(&given, wishes.as_ref(), request.digits),
-    };
-    if let Some(angles) = given.fitted(request) {
-        answer.insert("fitted_angles".into(), angles);
-    }
-    Ok(answer)
-}
-
-type Five<K> = [Displacement<K>; 5];
-
-fn certified(given: &Given, wishes: Option<&Wishes>, digits: u32) -> Map<String, Value> {
-    let rational = given.rational().and_then(|positions| five(&positions));
-    let exact = rational.as_ref().map(|five| (five, conics::pairs(five)));
-    sharpen(digits, |attempt| {
-        let bits = attempt.bits;
-        let positions = five(&given.rounded::<Ball>(&bits));
-        let found = match (&exact, &positions) {
-            (Some((five, pairs)), _) => Found::exact(five, pairs.as_ref(), bits),
-            (None, Some(positions)) => Found::enclosed(positions, bits),
-            (None, None) => None,
-        };
-        match (found, positions) {
-            (Some(found), Some(positions)) => {
-                let exact = rational.clone();
-                let writer = Writer {
-                    attempt,
-                    positions,
-                    exact,
-                    wishes,
-                };
-                writer.answer(&found)
-            }
-            _ => undecided(attempt),
-        }
-    })
-}
-
-/// Floats are rational numbers: solved exactly, and rounded.
-fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<String, Value> {
-    let mut attempt = Attempt::new(request.digits.min(15), 192);
-    let floats = given.rounded::<f64>(&());
-    let exact =
-        |x: &Number<f64>| Number::<Exact>::from(Rational::from_f64(x.0).unwrap_or_default());
-    let point = |z: &Point<f64>| Number::complex(exact(z.re()), exact(z.im()));
-    let displacements = floats.displacements().iter().map(|d| Displacement {
-        rotation: point(&d.rotation),
-        translation: point(&d.translation),
-    });
-    let displacements: Vec<Displacement<Exact>> = displacements.collect();
-    let Ok(five) = <Five<Exact>>::try_from(displacements) else {
-        return undecided(&mut attempt);
-    };
-    let pairs = conics::pairs(&five);
-    let ball = |z: &Point<Exact>| {
-        let part =
-            |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
-        Number::complex(part(z.re()), part(z.im()))
-    };
-    let positions = five.each_ref().map(|d| Displacement {
-        rotation: ball(&d.rotation),
-        translation: ball(&d.translation),
-    });
-    let Some(found) = Found::exact(&five, pairs.as_ref(), attempt.bits) else {
-        return undecided(&mut attempt);
-    };
-    let mut answer = Writer {
-        attempt: &mut attempt,
-        positions,
-        exact: Some(five.clone()),
-        wishes,
-    }
-    .answer(&found);
-    answer.remove("certificate");
-    answer.values_mut().for_each(into_floats);
-    answer
-}
-
-/// Certified numbers become plain ones.
-fn into_floats(value: &mut Value) {
-    if let Some(float) = super::output::as_float(value) {
-        *value = json!(float);
-        return;
-    }
-    match value {
-        Value::Array(members) => members.iter_mut().for_each(into_floats),
-        Value::Object(fields) => fields.values_mut().for_each(into_floats),
-        _ => {}
-    }
-}
-
-fn undecided(attempt: &mut Attempt) -> Map<String, Value> {
-    let names = [
-        "pairs",
-        "complex_pairs",
-        "at_infinity",
-        "family",
-        "eliminant",
-        "counts",
-        "linkages",
-    ];
-    let mut answer = Map::new();
-    for name in names {
-        let optional = name == "family" || name == "eliminant";
-        let value = if optional {
-            Value::Null
-        } else {
-            attempt.decided(name, None)
-        };
-        answer.insert(name.into(), value);
-    }
-    answer.insert("certificate".into(), Value::Null);
-    answer
-}
-
-fn five<K: crate::number::Kind>(positions: &Positions<K>) -> Option<Five<K>> {
-    positions.displacements().first_chunk().cloned()
-}
-
-/// A real pair with its coordinates h, x, y, X, Y, p, q.
-struct Real {
-    coordinates: [Number<Ball>; 7],
-    place: Place,
-    multiplicity: usize,
-}
-
-impl Real {
-    fn exact(pair: &Pair<Exact>) -> Self {
-        let ball =
-            |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
-        Real {
-            coordinates: pair.coordinates.each_ref().map(ball),
-            place: pair.place,
-            multiplicity: pair.multiplicity,
-        }
-    }
-
-    /// The finite point of a pair whose other point is at infinity.
-    fn beside_infinity(&self) -> Point<Ball> {
-        let [_, x, y, cx, cy, p, q] = &self.coordinates;
-        let w = Number::complex(p.clone(), q.clone());
-        match self.place {
-            Place::CirclepointAtInfinity => (w / Number::complex(x.clone(), y.clone())).conj(),
-            _ => w / Number::complex(cx.clone(), -cy),
-        }
-    }
-}
-
-/// One of two conjugate pairs.
-struct Couple {
-    coordinates: [Number<Complex<Ball>>; 7],
-    place: Place,
-    multiplicity: usize,
-}
-
-/// What there is beside isolated pairs.
-enum Families {
-    None,
-    Known(Family),
-    /// Something that has no name here yet.
-    Unknown,
-}
-
-/// All that was found, whatever the route.
-struct Found {
-    real: Vec<Real>,
-    complex: Vec<Couple>,
-    family: Families,
-    eliminant: Option<Vec<Rational>>,
-    method: &'static str,
-}
-
-impl Found {
-    fn exact(five: &Five<Exact>, pairs: Option<&Pairs>, bits: u32) -> Option<Found> {
-        match pairs? {
-            Pairs::Isolated(isolated) => Some(Found::isolated(isolated, bits)),
-            Pairs::Families(beside) => Some(Found {
-                real: beside.iter().map(|pair| Real::exact(pair)).collect(),
-                complex: Vec::new(),
-                family: families::family(five).map_or(Families::Unknown, Families::Known),
-                eliminant: None,
-                method: "exact linear algebra: the conditions depend on each other, or the two conics \
-                         have a part in common",
-            }),
-        }
-    }
-
-    fn isolated(isolated: &Isolated, bits: u32) -> Found {
-        let real = isolated.real(bits).into_iter().map(|pair| Real {
-            coordinates: pair.coordinates,
-            place: pair.place,
-            multiplicity: pair.multiplicity,
-        });
-        let complex = isolated.complex(bits).into_iter().map(|pair| Couple {
-            coordinates: pair.coordinates,
-            place: pair.place,
-            multiplicity: pair.multiplicity,
-        });
-        let coefficients = isolated.eliminant().map(|eliminant| {
-            let coefficients = eliminant.coefficients().iter().rev();
-            coefficients
-                .filter_map(|c| c.0.rational().cloned())
-                .collect()
-        });
-        Found {
-            real: real.collect(),
-            complex: complex.collect(),
-            family: Families::None,
-            eliminant: coefficients,
-            method: "exact eliminant of two conics, all of its four roots isolated",
-        }
-    }
-
-    /// `None` where the enclosures cannot tell whether a pair is at infinity.
-    fn enclosed(positions: &Five<Ball>, bits: u32) -> Option<Found> {
-        let pairs = enclosed::pairs(positions, bits)?;
-        let finite = |h: crate::number::Truth| h.is_no().then_some(Place::Finite);
-        let real = pairs.real.into_iter().map(|coordinates| {
-            Some(Real {
-                place: finite(coordinates[0].is_zero())?,
-                coordinates,
-                multiplicity: 1,
-            })
-        });
-        let complex = pairs.complex.into_iter().map(|coordinates| {
-            Some(Couple {
-                place: finite(coordinates[0].is_zero())?,
-                coordinates,
-                multiplicity: 1,
-            })
-        });
-        Some(Found {
-            real: real.collect::<Option<_>>()?,
-            complex: complex.collect::<Option<_>>()?,
-            family: Families::None,
-            eliminant: None,
-            method: "eliminant of two conics in enclosures, Newton's interval test for all four roots",
-        })
-    }
-}
-
 /// Writes what was found.
-struct Writer<'a> {
-    attempt: &'a mut Attempt,
-    positions: Five<Ball>,
+pub struct Writer<'a> {
+    pub attempt: &'a mut Attempt,
+    pub positions: Five<Ball>,
     /// The positions, where they are rational.
-    exact: Option<Five<Exact>>,
-    wishes: Option<&'a Wishes>,
+    pub exact: Option<Five<Exact>>,
+    pub wishes: Option<&'a Wishes>,
 }
 
 impl Writer<'_> {
-    fn answer(mut self, found: &Found) -> Map<String, Value> {
+    /// The whole answer.
+    pub fn answer(mut self, found: &Found) -> Map<String, Value> {
         let mut pairs: Vec<(&Real, [Point<Ball>; 2])> = found
             .real
             .iter()
@@ -318,6 +68,12 @@ impl Writer<'_> {
         });
         answer.insert("eliminant".into(), json!(eliminant));
         answer.insert("counts".into(), counts(found));
+        if let Some(alternates) = &found.alternates {
+            let finite: Vec<&Real> = pairs.iter().map(|(pair, _)| *pair).collect();
+            let infinite = found.real.iter().filter(|pair| pair.place != Place::Finite);
+            let infinite: Vec<&Real> = infinite.collect();
+            answer.insert("alternates".into(), alternates.written(&finite, &infinite));
+        }
         let points: Vec<[Point<Ball>; 2]> =
             pairs.iter().map(|(_, points)| points.clone()).collect();
         let finite = points.iter().cloned().enumerate();
