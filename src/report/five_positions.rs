@@ -87,6 +87,7 @@ fn explain(canvas: &mut Canvas, has_pairs: bool) {
     );
     canvas.explain(Stroke::Curve, "centerpoint curve of positions 1, 2, 3, 4");
     canvas.explain(Stroke::Path, "centerpoint curve of positions 1, 2, 3, 5");
+    canvas.remark("both curves meet in the centers, and in the poles 12, 13, 23");
     if has_pairs {
         canvas.explain(
             Stroke::Construction,
