@@ -86,15 +86,37 @@ impl<K: Kind> Chart<K> {
         let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
         let n = -((b + a * &along).evaluate(&s) / a.coefficient(0));
         let beside = !along.evaluate(&s).equals(&n).is_yes();
-        let [e0, e1, e2] = &self.basis;
-        let point = |s: &Number<K>, n: &Number<K>| -> Coordinates<K> {
-            std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
-        };
-        let at = |s: i64| point(&s.into(), &along.evaluate(&s.into()));
+        let at = |s: i64| self.point(&s.into(), &along.evaluate(&s.into()));
         Some(CommonLine {
             through: [at(0), at(1)],
-            beside: beside.then(|| point(&s, &n)),
+            beside: beside.then(|| self.point(&s, &n)),
         })
+    }
+
+    /// The only meet of two conics that both have their double point there: on every line through it
+    /// both equations have it as a double root, so that no chart tells it from two. `None` where that
+    /// is not so in this chart.
+    pub fn common_vertex(&self, meets: &Meets<K>) -> Option<(Number<K>, Coordinates<K>)> {
+        let second = &meets.second;
+        if second.degree() != Some(1) || meets.resultant.degree() != Some(4) {
+            return None;
+        }
+        let s = -(second.coefficient(0) / second.coefficient(1));
+        let power = Polynomial::linear(&s)
+            .power(4)
+            .scaled(meets.resultant.leading()?);
+        if !(power - &meets.resultant).is_zero() {
+            return None;
+        }
+        let [[a, b, _], [a1, b1, _]] = &self.conics;
+        let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
+        let n = -(b.evaluate(&s) / (2 * a.coefficient(0)));
+        Some((s.clone(), self.point(&s, &n)))
+    }
+
+    fn point(&self, s: &Number<K>, n: &Number<K>) -> Coordinates<K> {
+        let [e0, e1, e2] = &self.basis;
+        std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
     }
 
     /// second (e₀ + s e₁) − first e₂.

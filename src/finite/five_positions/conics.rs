@@ -85,6 +85,9 @@ pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
     if let Some(isolated) = isolated {
         return Some(Pairs::Isolated(Box::new(isolated)));
     }
+    if let Some(isolated) = charts().find_map(|chart| fourfold(&chart)) {
+        return Some(Pairs::Isolated(Box::new(isolated)));
+    }
     let line = charts().find_map(|chart| chart.common_line());
     let beside = line.and_then(|line| line.beside).map(|coordinates| Pair {
         place: Place::of(&coordinates),
@@ -92,6 +95,13 @@ pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
         multiplicity: 1,
     });
     Some(Pairs::Families(beside.map(Box::new)))
+}
+
+/// One pair that counts four times, where both conics have their double point.
+fn fourfold(chart: &Chart<Exact>) -> Option<Isolated> {
+    let (s, pair) = chart.common_vertex(&chart.meets())?;
+    let constants = pair.map(Poly::constant);
+    Isolated::new(&Poly::linear(&s).power(4), &constants)
 }
 
 impl Place {

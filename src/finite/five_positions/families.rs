@@ -4,11 +4,14 @@
 //! all. So the circlepoints of a family are the common part of the five circlepoint curves, and their
 //! centers that of the five centerpoint curves.
 
+use std::cmp::Ordering;
+
 use crate::finite::four_positions::circle_conditions;
-use crate::number::{Exact, Number, Truth};
+use crate::number::{Exact, Number, Real, Truth};
 use crate::plane::circle::Circle;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::common_part::common_part;
+use crate::plane::conic::Conic;
 use crate::plane::displacement::Displacement;
 use crate::plane::polynomial::Polynomial;
 use crate::plane::projective::ProjectivePoint;
@@ -20,7 +23,7 @@ type Curve = Polynomial<Exact>;
 /// What the pairs of a family are.
 #[derive(Clone, Debug)]
 pub enum Family {
-    /// There is no real pair at all: translations on no circle and no line.
+    /// There is no real pair with a finite point.
     Empty,
     /// All points of the moving plane.
     Plane,
@@ -47,13 +50,20 @@ pub fn family(positions: &Five) -> Option<Family> {
     if curve.is_zero() {
         return Some(Family::Plane);
     }
+    if is_imaginary(&curve) {
+        return None;
+    }
     if curve.order() > 0 {
         let center = common_center(positions, &curve);
         return Some(Family::Circlepoints(curve, center));
     }
     let centers = common_circlepoints(&positions.each_ref().map(Displacement::inverse))?;
-    if centers.order() == 0 || centers.is_zero() {
+    if centers.is_zero() {
         return None;
+    }
+    if centers.order() == 0 {
+        // What there is of solutions has neither circlepoints nor centers that vary.
+        return Some(Family::Empty);
     }
     Some(match resting_point(positions) {
         Some(point) => Family::PointWithAnyCenter(point, centers),
@@ -72,6 +82,15 @@ fn common_circlepoints(positions: &Five) -> Option<Curve> {
         common = common_part(&common, &Curve::from(&cubic))?;
     }
     Some(common.finite_part())
+}
+
+/// Whether a conic has at most one real point.
+fn is_imaginary(curve: &Curve) -> bool {
+    let conic: Option<[Number<Exact>; 6]> = curve.coefficients().to_vec().try_into().ok();
+    conic.is_some_and(|coefficients| {
+        let conic = Conic::new(coefficients);
+        conic.discriminant().sign() == Some(Ordering::Less) && !conic.is_ellipse().is_yes()
+    })
 }
 
 /// The center that all points of a line have in common.

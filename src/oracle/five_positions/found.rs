@@ -69,6 +69,11 @@ pub struct Found {
 }
 
 impl Found {
+    /// Whether there are more pairs than are known.
+    pub fn is_undecided(&self) -> bool {
+        matches!(self.family, Families::Unknown)
+    }
+
     /// Of rational positions.
     pub fn exact(
         five: &Five<Exact>,

@@ -68,7 +68,7 @@ fn certified(
             (None, None) => None,
         };
         match (found, positions) {
-            (Some(found), Some(positions)) => {
+            (Some(found), Some(positions)) if !found.is_undecided() => {
                 let exact = exact.map(|(five, _)| five.clone());
                 let writer = Writer {
                     attempt,

@@ -184,9 +184,16 @@ impl Writer<'_> {
                 json!({"kind": "plane", "center": {"at_infinity": direction}})
             }
             Family::Circlepoints(curve, center) => {
-                let kind = match curve.order() {
-                    1 => "line",
-                    2 => "circlepoint-conic",
+                let kind = match curve.coefficients() {
+                    [_, _, _] => "line",
+                    [a, b, c, ..] if curve.order() == 2 => {
+                        let is_circle = a.equals(c) & b.is_zero();
+                        if is_circle.is_yes() {
+                            "circle"
+                        } else {
+                            "conic"
+                        }
+                    }
                     _ => "circlepoint-cubic",
                 };
                 let mut value = json!({"kind": kind, "coefficients": self.curve(curve)});
