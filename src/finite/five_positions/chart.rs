@@ -36,7 +36,11 @@ impl<K: Kind> Chart<K> {
     /// A chart of a number; the first is that of the basis as it is. `None` where both conics pass
     /// through e₂.
     pub fn new(basis: &[Coordinates<K>; 3], seed: i64) -> Option<Self> {
-        let basis = mixed(basis, seed);
+        let basis = if seed == 0 {
+            basis.clone()
+        } else {
+            mixed(basis, seed)
+        };
         let [e0, e1, e2] = &basis;
         let form = |which: usize, u: &Coordinates<K>, v: &Coordinates<K>| {
             let [first, second] = products(u, v);

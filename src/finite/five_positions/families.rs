@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 
 use crate::finite::four_positions::circle_conditions;
-use crate::number::{Exact, Number, Real, Truth};
+use crate::number::{Exact, Number, Truth};
 use crate::plane::circle::Circle;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::common_part::common_part;

@@ -8,6 +8,7 @@ use super::descartes::times_power_of_two;
 use super::factor::{Factor, log2_above, log2_below};
 use super::point::Point;
 use super::polish;
+use super::proof::{FEW_BITS, root_within};
 use crate::number::{Ball, Complex, Number, Real};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -59,24 +60,6 @@ impl Disc {
             radius: bound,
         };
         Some((disc, step))
-    }
-
-    /// The disc alone: of the derivative a few bits will do.
-    fn at(factor: &Factor, re: Rational, im: Rational, bits: u32) -> Option<Disc> {
-        let z = |bits: u32| {
-            Number::complex(
-                Number::<Ball>::rounded(&re, &bits),
-                Number::<Ball>::rounded(&im, &bits),
-            )
-        };
-        let step = factor.value(&z(bits), bits) / factor.slope(&z(GUARD_BITS), GUARD_BITS);
-        let bound = (largest(step.re())? + largest(step.im())?) * factor.degree() as u64;
-        let radius = if bound.is_zero() {
-            bound
-        } else {
-            times_power_of_two(Rational::from(1), log2_above(&bound))
-        };
-        Some(Disc { re, im, radius })
     }
 
     /// The larger of the distances of the centers along the axes.
@@ -153,9 +136,51 @@ impl ComplexRoot {
 
     /// Balls around the real and the imaginary part, each with a radius of at most 2^−bits |root|.
     pub fn enclosure(&self, bits: u32) -> Number<Complex<Ball>> {
+        if let Some(found) = self.leap(bits) {
+            return found;
+        }
         let mut root = self.clone();
         root.refine(bits.saturating_add(2));
         square(&root.disc, bits.saturating_add(8))
+    }
+
+    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    fn leap(&self, bits: u32) -> Option<Number<Complex<Ball>>> {
+        let disc = &self.disc;
+        let known = disc.relative_bits().clamp(0, i64::from(bits));
+        let known = u32::try_from(known).ok()?;
+        let start = Point {
+            re: Float::with_val(known + GUARD_BITS, &disc.re),
+            im: Float::with_val(known + GUARD_BITS, &disc.im),
+        };
+        let to = bits.checked_add(16)?;
+        let near = polish::complex(self.factor.polynomial(), start, known, to);
+        if !near.is_finite() {
+            return None;
+        }
+        let precision = to.checked_add(GUARD_BITS)?;
+        let reach = root_within(
+            &self.factor.in_balls(precision),
+            &self.factor.slope_in_balls(FEW_BITS),
+            &near,
+        )?;
+        let size = i64::from(near.re.get_exp().max(near.im.get_exp())?) - 1;
+        let around = |part: &Float, bits: u32| {
+            Number(Ball::around(part.clone(), reach).with_precision(bits))
+        };
+        let wide = known + GUARD_BITS;
+        let ball = |part: &Rational| Number::<Ball>::rounded(part, &wide);
+        let x = around(&near.re, wide) - ball(&disc.re);
+        let y = around(&near.im, wide) - ball(&disc.im);
+        let inside = (ball(&disc.radius).square() - x.square() - y.square()).is_positive();
+        if !inside.is_yes() || reach >= size - i64::from(bits) {
+            return None;
+        }
+        let bits = bits.saturating_add(8);
+        Some(Number::complex(
+            around(&near.re, bits),
+            around(&near.im, bits),
+        ))
     }
 
     /// Narrows the isolating disc to a radius of at most 2^−bits |root|.
@@ -165,7 +190,6 @@ impl ComplexRoot {
     /// has this one.
     pub fn refine(&mut self, bits: u32) {
         let aim = i64::from(bits);
-        self.leap(bits);
         let mut extra = 0;
         let (mut re, mut im) = (self.disc.re.clone(), self.disc.im.clone());
         while self.disc.relative_bits() < aim {
@@ -184,32 +208,6 @@ impl ComplexRoot {
             if self.disc.relative_bits() <= before + 1 {
                 extra = 2 * extra + GUARD_BITS;
             }
-        }
-    }
-}
-
-impl ComplexRoot {
-    /// Newton's method without proof, and one proof at its end.
-    fn leap(&mut self, bits: u32) {
-        let known = self.disc.relative_bits();
-        let Ok(known) = u32::try_from(known.max(0)) else {
-            return;
-        };
-        if known >= bits {
-            return;
-        }
-        let start = Point {
-            re: Float::with_val(known + GUARD_BITS, &self.disc.re),
-            im: Float::with_val(known + GUARD_BITS, &self.disc.im),
-        };
-        let near = polish::complex(self.factor.polynomial(), start, known, bits + 16);
-        let (Some(re), Some(im)) = (near.re.to_rational(), near.im.to_rational()) else {
-            return;
-        };
-        if let Some(disc) = Disc::at(&self.factor, re, im, bits + GUARD_BITS)
-            && self.disc.holds(&disc)
-        {
-            self.disc = disc;
         }
     }
 }

@@ -11,9 +11,6 @@ use crate::number::{Ball, Complex, Number};
 /// Bits with which a sign is tried before it is computed exactly.
 const SIGN_BITS: [u32; 3] = [128, 512, 2048];
 
-/// Bits of a derivative of which only the size matters.
-const LAST_SLOPE_BITS: u32 = 64;
-
 #[derive(Debug)]
 pub(super) struct Factor {
     polynomial: IntegerPolynomial,
@@ -84,14 +81,14 @@ impl Factor {
         in_balls(&self.derivative, bits).evaluate_complex(z)
     }
 
-    /// m − p(m)/p′(X) with a short derivative, for an X so small that its length does not matter.
-    pub fn last_newton(&self, middle: &Rational, around: &Number<Ball>, bits: u32) -> Ball {
-        let short = bits.min(LAST_SLOPE_BITS);
-        let around = Number(around.0.with_precision(short));
-        let slope = in_balls(&self.derivative, short).evaluate(&around);
-        let middle = Number::<Ball>::rounded(middle, &bits);
-        let value = in_balls(&self.polynomial, bits).evaluate(&middle);
-        (middle - value / slope).0
+    /// The polynomial in balls of so many bits.
+    pub fn in_balls(&self, bits: u32) -> Polynomial<Ball> {
+        in_balls(&self.polynomial, bits)
+    }
+
+    /// The derivative in balls of so many bits.
+    pub fn slope_in_balls(&self, bits: u32) -> Polynomial<Ball> {
+        in_balls(&self.derivative, bits)
     }
 }
 
@@ -99,7 +96,7 @@ fn in_balls(p: &IntegerPolynomial, bits: u32) -> Polynomial<Ball> {
     let coefficients = p.coefficients().iter();
     Polynomial::new(
         coefficients
-            .map(|c| Number::rounded(&Rational::from(c), &bits))
+            .map(|c| Number(Ball::of_integer(c, bits)))
             .collect(),
     )
 }

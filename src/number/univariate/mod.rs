@@ -35,6 +35,7 @@ mod operators;
 mod point;
 mod polish;
 mod polynomial;
+mod proof;
 mod quadratic;
 mod real_root;
 mod square_free;

@@ -7,6 +7,7 @@ use rug::{Float, Integer, Rational};
 
 use super::descartes::Interval;
 use super::factor::{Factor, log2_above, log2_below};
+use super::proof::{FEW_BITS, newton_within};
 use super::{modular, polish};
 use crate::number::{Ball, Number};
 
@@ -107,6 +108,9 @@ impl RealRoot {
 
     /// A ball around the root with a radius of at most 2^−bits |root|; of radius 0 for the root 0.
     pub fn enclosure(&self, bits: u32) -> Number<Ball> {
+        if let Some(ball) = self.leap(bits) {
+            return Number(ball);
+        }
         let mut root = self.clone();
         root.refine(bits);
         // Rounding the midpoint costs less than the interval does.
@@ -117,6 +121,37 @@ impl RealRoot {
         }
         let radius = interval.width() >> 1;
         Number(Ball::with_radius(&interval.middle(), &radius, precision))
+    }
+
+    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    fn leap(&self, bits: u32) -> Option<Ball> {
+        if self.interval.is_point() {
+            return None;
+        }
+        let known = relative_bits(&self.interval).clamp(0, i64::from(bits));
+        let known = u32::try_from(known).ok()?;
+        let start = Float::with_val(known + GUARD_BITS, self.interval.middle());
+        let to = bits.checked_add(16)?;
+        let near = polish::real(self.factor.polynomial(), &start, known, to);
+        if !near.is_finite() {
+            return None;
+        }
+        let reach = magnitude(&self.interval) - i64::from(bits) - 1;
+        let wide = known + GUARD_BITS;
+        let around = Number(Ball::around(near.clone(), reach).with_precision(wide));
+        let [low, high] = [&self.interval.low, &self.interval.high]
+            .map(|end| &around - Number::<Ball>::rounded(end, &wide));
+        if !low.is_positive().is_yes() || !(-high).is_positive().is_yes() {
+            return None;
+        }
+        let precision = to.checked_add(GUARD_BITS)?;
+        let within = newton_within(
+            &self.factor.in_balls(precision),
+            &self.factor.slope_in_balls(FEW_BITS),
+            &near,
+            reach,
+        )?;
+        Some(Ball::around(near, within).with_precision(bits.saturating_add(8)))
     }
 
     /// Narrows the isolating interval to a width of at most 2^−bits |root|.
@@ -144,9 +179,6 @@ impl RealRoot {
     /// Interval Newton with growing precision, and bisection where that does not contract. `aim`
     /// tells for an interval how many bits after the point will do.
     fn narrow_to(&mut self, done: impl Fn(&Interval) -> bool, aim: impl Fn(&Interval) -> i64) {
-        if !self.interval.is_point() && !done(&self.interval) {
-            self.leap(aim(&self.interval));
-        }
         let mut extra = 0;
         while !self.interval.is_point() && !done(&self.interval) {
             let before = log2_below(&self.interval.width());
@@ -158,43 +190,6 @@ impl RealRoot {
                 self.bisect();
             }
         }
-    }
-
-    /// Newton's method without proof to so many bits after the point, and one proof at its end: where
-    /// m − p(m)/p′(X) lies in X and X in the interval, it holds the root.
-    fn leap(&mut self, after_point: i64) -> Option<()> {
-        let known = u32::try_from(-log2_above(&self.interval.width()) + 1).ok()?;
-        let after_point = u32::try_from(after_point + 4)
-            .ok()
-            .filter(|bits| *bits > known)?;
-        let middle = self.interval.middle();
-        let before_point = u32::try_from(log2_above(&middle.clone().abs()).max(0)).ok()?;
-        let bits = after_point.checked_add(before_point)?;
-        let start = Float::with_val(known.checked_add(before_point)? + GUARD_BITS, &middle);
-        let near = polish::real(
-            self.factor.polynomial(),
-            &start,
-            known.checked_add(before_point)?,
-            bits,
-        );
-        let near = near.to_rational()?;
-        let margin = Rational::from(1) >> after_point;
-        let bits = bits.checked_add(GUARD_BITS)?;
-        let around = Interval {
-            low: Rational::from(&near - &margin),
-            high: Rational::from(&near + &margin),
-        };
-        if around.low <= self.interval.low || around.high >= self.interval.high {
-            return None;
-        }
-        let image = (self.factor).last_newton(
-            &near,
-            &Number(Ball::with_radius(&near, &margin, bits)),
-            bits,
-        );
-        let (mid, radius) = (image.midpoint_rational()?, image.radius_rational()?);
-        let inside = Rational::from(&mid - &near).abs() + &radius < margin;
-        inside.then(|| self.cut_to(&mid, &radius))
     }
 
     /// Intersects the interval with a Newton step; whether that suffered from rounding.
