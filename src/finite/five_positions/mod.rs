@@ -9,6 +9,7 @@
 //! - [`circlepoint_curves`]: the meets of two circlepoint curves,
 //! - [`loop_closure`]: a link whose turns close the loops,
 //! - [`enclosed`]: the conics where the positions are enclosures,
+//! - [`floats`]: the conics in machine floats,
 //! - [`families`]: what there is where the pairs are infinitely many,
 //! - [`krawczyk`]: the judge, an interval test on the original conditions.
 
@@ -18,5 +19,6 @@ pub mod conditions;
 pub mod conics;
 pub mod enclosed;
 pub mod families;
+pub mod floats;
 pub mod krawczyk;
 pub mod loop_closure;

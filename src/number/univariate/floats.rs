@@ -3,8 +3,11 @@
 
 use rug::Float;
 
+use super::Polynomial;
+use super::aberth::starting_points;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
+use crate::number::{Complex as ComplexNumber, Number};
 
 /// Rounds after which points that still move are left as they are.
 const ROUNDS: usize = 50;
@@ -13,19 +16,51 @@ const SETTLED: f64 = 1e-10;
 
 type Complex = [f64; 2];
 
+/// The roots of a polynomial in machine floats, nothing certified; those with an imaginary part that
+/// is nothing but rounding are real. `None` for a constant and beyond the range of floats.
+pub fn approximate_roots(polynomial: &Polynomial<f64>) -> Option<Vec<Number<ComplexNumber<f64>>>> {
+    let coefficients: Vec<f64> = polynomial.coefficients().iter().map(|c| c.0).collect();
+    let size = |c: &f64| (*c != 0.0).then(|| c.abs().log2());
+    let sizes: Vec<Option<f64>> = coefficients.iter().map(size).collect();
+    let start = starting_points(&sizes);
+    let start = start.into_iter().map(|(log_radius, angle)| {
+        let radius = log_radius.exp2();
+        [radius * angle.cos(), radius * angle.sin()]
+    });
+    let points = iterated(&coefficients, start.collect())?;
+    let roots = points.into_iter().map(onto_axis);
+    Some(
+        roots
+            .map(|[re, im]| Number::complex(Number(re), Number(im)))
+            .collect(),
+    )
+}
+
 /// Points near the roots, from points somewhere around them. `None` where that leaves the range of
 /// floats.
 pub(super) fn improved(p: &IntegerPolynomial, start: &[Point]) -> Option<Vec<Point>> {
     let scale = middle_exponent(start);
     let coefficients = scaled(p, scale);
-    let mut points: Vec<Complex> = start
+    let points = start
         .iter()
         .map(|z| [&z.re, &z.im].map(|part| Float::with_val(53, part >> scale).to_f64()))
         .collect();
+    let points = iterated(&coefficients, points)?;
+    let bits = start.first()?.re.prec();
+    let back = |part: f64| Float::with_val(bits, part) << scale;
+    let points = points.into_iter().map(onto_axis);
+    let points = points.map(|[re, im]| Point {
+        re: back(re),
+        im: back(im),
+    });
+    Some(points.collect())
+}
+
+fn iterated(coefficients: &[f64], mut points: Vec<Complex>) -> Option<Vec<Complex>> {
     for _ in 0..ROUNDS {
         let mut settled = true;
         for place in 0..points.len() {
-            let correction = correction(&coefficients, &points, place)?;
+            let correction = correction(coefficients, &points, place)?;
             let z = points.get_mut(place)?;
             *z = minus(*z, correction);
             settled &= size(correction) <= SETTLED * size(*z);
@@ -35,17 +70,7 @@ pub(super) fn improved(p: &IntegerPolynomial, start: &[Point]) -> Option<Vec<Poi
         }
     }
     let is_finite = |z: &Complex| z[0].is_finite() && z[1].is_finite();
-    let bits = start.first()?.re.prec();
-    let back = |part: f64| Float::with_val(bits, part) << scale;
-    points.iter().all(is_finite).then(|| {
-        let points = points.into_iter().map(onto_axis);
-        points
-            .map(|[re, im]| Point {
-                re: back(re),
-                im: back(im),
-            })
-            .collect()
-    })
+    (!points.is_empty() && points.iter().all(is_finite)).then_some(points)
 }
 
 /// The exponent of the points' sizes, on average.

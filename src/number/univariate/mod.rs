@@ -45,6 +45,7 @@ pub use complex_root::ComplexRoot;
 pub use division::PseudoQuotient;
 pub use enclose::{EnclosedRoots, enclose};
 pub use error::RootError;
+pub use floats::approximate_roots;
 pub use isolate::{Roots, isolate};
 pub use polynomial::Polynomial;
 pub use quadratic::{Quadratic, QuadraticRoots};

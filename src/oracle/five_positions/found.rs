@@ -129,6 +129,53 @@ impl Found {
         }
     }
 
+    /// Of machine floats, taken for exact.
+    pub fn floats(pairs: &[[Number<Complex<f64>>; 7]]) -> Found {
+        let is_real =
+            |pair: &&[Number<Complex<f64>>; 7]| pair.iter().all(|z| z.im().is_zero().is_yes());
+        let exactly =
+            |x: &Number<f64>| Number::<Ball>::from(Rational::from_f64(x.0).unwrap_or_default());
+        let real = pairs.iter().filter(is_real).map(|pair| {
+            let coordinates = pair.each_ref().map(|z| exactly(z.re()));
+            let [h, x, y, cx, cy, ..] = pair.each_ref().map(|z| z.re().0);
+            let place = if h != 0.0 {
+                Place::Finite
+            } else if x.hypot(y) < cx.hypot(cy) {
+                Place::CenterAtInfinity
+            } else {
+                Place::CirclepointAtInfinity
+            };
+            Real {
+                coordinates,
+                place,
+                multiplicity: 1,
+                left: 1,
+            }
+        });
+        let complex = pairs.iter().filter(|pair| !is_real(pair)).map(|pair| {
+            let coordinates = pair
+                .each_ref()
+                .map(|z| Number::complex(exactly(z.re()), exactly(z.im())));
+            Couple {
+                place: if pair[0].is_zero().is_yes() {
+                    Place::Isotropic
+                } else {
+                    Place::Finite
+                },
+                coordinates,
+                multiplicity: 1,
+            }
+        });
+        Found {
+            real: real.collect(),
+            complex: complex.collect(),
+            family: Families::None,
+            eliminant: None,
+            method: "two conics in machine floats: nothing certified",
+            alternates: None,
+        }
+    }
+
     /// `None` where the enclosures cannot tell whether a pair is at infinity.
     pub fn enclosed(positions: &Five<Ball>, bits: u32) -> Option<Found> {
         let pairs = enclosed::pairs(positions, bits)?;

@@ -12,7 +12,7 @@ use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::wishes::Wishes;
 use super::{Arithmetic, ProblemError, Request};
-use crate::finite::five_positions::conics;
+use crate::finite::five_positions::{conics, floats};
 use crate::finite::positions::Positions;
 use crate::number::{Ball, Exact, Number};
 use crate::plane::Point;
@@ -83,14 +83,15 @@ fn certified(
     })
 }
 
-/// Floats are rational numbers: solved exactly, and rounded.
+/// Without any certificate; where floats find no four pairs, as in families, they are taken for the
+/// rational numbers that they are.
 fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<String, Value> {
     let mut attempt = Attempt::new(request.digits.min(15), 192);
-    let floats = given.rounded::<f64>(&());
+    let rounded = given.rounded::<f64>(&());
     let exact =
         |x: &Number<f64>| Number::<Exact>::from(Rational::from_f64(x.0).unwrap_or_default());
     let point = |z: &Point<f64>| Number::complex(exact(z.re()), exact(z.im()));
-    let displacements = floats.displacements().iter().map(|d| Displacement {
+    let displacements = rounded.displacements().iter().map(|d| Displacement {
         rotation: point(&d.rotation),
         translation: point(&d.translation),
     });
@@ -98,7 +99,10 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
     let Ok(five) = <Five<Exact>>::try_from(displacements) else {
         return undecided(&mut attempt);
     };
-    let pairs = conics::pairs(&five);
+    let quick = rounded
+        .displacements()
+        .first_chunk()
+        .and_then(floats::pairs);
     let ball = |z: &Point<Exact>| {
         let part =
             |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
@@ -108,7 +112,11 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
         rotation: ball(&d.rotation),
         translation: ball(&d.translation),
     });
-    let Some(found) = Found::exact(&five, pairs.as_ref(), &Known::new(), attempt.bits) else {
+    let found = quick.map(|pairs| Found::floats(&pairs)).or_else(|| {
+        let pairs = conics::pairs(&five);
+        Found::exact(&five, pairs.as_ref(), &Known::new(), attempt.bits)
+    });
+    let Some(found) = found else {
         return undecided(&mut attempt);
     };
     let mut answer = Writer {
