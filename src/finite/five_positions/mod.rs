@@ -11,10 +11,12 @@
 //! - [`enclosed`]: the conics where the positions are enclosures,
 //! - [`floats`]: the conics in machine floats,
 //! - [`families`]: what there is where the pairs are infinitely many,
+//! - [`conditioning`]: how much a pair moves with the positions,
 //! - [`krawczyk`]: the judge, an interval test on the original conditions.
 
 pub mod chart;
 pub mod circlepoint_curves;
+pub mod conditioning;
 pub mod conditions;
 pub mod conics;
 pub mod enclosed;

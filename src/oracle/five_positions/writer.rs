@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 
 use super::Five;
 use super::found::{Couple, Families, Found, Real};
+use crate::finite::five_positions::conditioning::conditioning;
 use crate::finite::five_positions::conditions::finite_pair;
 use crate::finite::five_positions::conics::Place;
 use crate::finite::five_positions::families::Family;
@@ -97,11 +98,22 @@ impl Writer<'_> {
     }
 
     fn pair(&mut self, pair: &Real, [z, m]: &[Point<Ball>; 2]) -> Value {
-        json!({
+        let mut value = json!({
             "circlepoint": self.attempt.finite_point("pairs", z),
             "center": self.attempt.finite_point("pairs", m),
             "multiplicity": pair.multiplicity,
-        })
+        });
+        let simple = pair.multiplicity == 1;
+        let estimate = simple
+            .then(|| conditioning(&self.positions, [z, m]))
+            .flatten();
+        if let (Some(estimate), Value::Object(fields)) = (estimate, &mut value) {
+            let places = estimate.sensitivity.map(|place| place.map(rough));
+            fields.insert("sensitivity".into(), json!(places));
+            fields.insert("condition".into(), json!(rough(estimate.condition)));
+            fields.insert("to_double".into(), json!(rough(estimate.to_double)));
+        }
+        value
     }
 
     /// Both of two conjugate pairs.
@@ -257,6 +269,11 @@ fn dyads_at_infinity(found: &Found, listed: &[Value]) -> Vec<Dyad> {
         place += pair.multiplicity;
     }
     dyads
+}
+
+/// Three digits of an estimate.
+fn rough(x: f64) -> f64 {
+    format!("{x:.2e}").parse().unwrap_or(x)
 }
 
 fn by_coordinates(a: &Point<Ball>, b: &Point<Ball>) -> Ordering {
