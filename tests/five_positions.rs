@@ -11,9 +11,11 @@
 mod support;
 
 use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
-use burmester::finite::five_positions::krawczyk;
+use burmester::finite::five_positions::conditioning::conditioning;
+use burmester::finite::five_positions::{floats, krawczyk};
 use burmester::finite::four_positions::circle_conditions;
-use burmester::number::{Ball, Exact, Number};
+use burmester::number::univariate::Polynomial;
+use burmester::number::{Ball, Complex, Exact, Number};
 use burmester::plane::Point;
 use burmester::plane::displacement::Displacement;
 use proptest::prelude::*;
@@ -32,6 +34,11 @@ const BITS: u32 = 300;
 
 fn ball(z: &Point<Exact>) -> Point<Ball> {
     let part = |x: &Number<Exact>| Number::rounded(x.0.rational().unwrap(), &BITS);
+    Number::complex(part(z.re()), part(z.im()))
+}
+
+fn float(z: &Point<Exact>) -> Point<f64> {
+    let part = |x: &Number<Exact>| Number(x.0.rational().unwrap().to_f64());
     Number::complex(part(z.re()), part(z.im()))
 }
 
@@ -99,7 +106,82 @@ fn assert_all_pairs(five: &Five) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// The eliminant, as text.
+fn eliminant(five: &Five) -> Option<Polynomial<Exact>> {
+    isolated(five)?.eliminant()
+}
+
+fn shown(eliminant: Option<Polynomial<Exact>>) -> Option<String> {
+    eliminant.map(|polynomial| polynomial.to_string())
+}
+
 proptest! {
+    #[test]
+    fn renumbering_moving_and_mirroring_leave_the_circlepoints(
+        five in [positions(), positions(), positions(), positions(), positions()],
+        moved in positions(), first in 0usize..5, second in 0usize..5,
+    ) {
+        let wanted = shown(eliminant(&five));
+        let mut renumbered = five.clone();
+        renumbered.swap(first, second);
+        prop_assert_eq!(&shown(eliminant(&renumbered)), &wanted);
+        let elsewhere = five.each_ref().map(|position| moved.after(position));
+        prop_assert_eq!(&shown(eliminant(&elsewhere)), &wanted);
+        let mirrored = five.each_ref().map(|d| position(d.rotation.conj(), d.translation.conj()));
+        prop_assert_eq!(&shown(eliminant(&mirrored)), &wanted);
+    }
+
+    #[test]
+    fn scaling_scales_the_circlepoints(
+        five in [positions(), positions(), positions(), positions(), positions()],
+        exponent in prop_oneof![Just(30i32), Just(-30)],
+    ) {
+        let ten = Number::<Exact>::from(10);
+        let factor = (0..exponent.abs()).fold(Number::one(), |power, _| power * &ten);
+        let factor = if exponent < 0 { factor.inverse() } else { factor };
+        let scaled = five
+            .each_ref()
+            .map(|d| position(d.rotation.clone(), d.translation.scaled(&factor)));
+        let stretched = eliminant(&five).map(|e| e.stretched(&factor.inverse()));
+        let wanted = stretched.and_then(|e| e.primitive_part());
+        prop_assert_eq!(shown(eliminant(&scaled)), shown(wanted));
+    }
+
+    #[test]
+    fn floats_find_what_is_certified(
+        five in [positions(), positions(), positions(), positions(), positions()],
+    ) {
+        let Some(isolated) = isolated(&five) else { return Ok(()) };
+        let real = isolated.real(BITS).into_iter();
+        let real: Vec<_> = real.filter(|pair| pair.place == Place::Finite).collect();
+        let rounded = five.each_ref().map(|d| Displacement {
+            rotation: float(&d.rotation),
+            translation: float(&d.translation),
+        });
+        let positions = balls(&five);
+        let found = floats::pairs(&rounded);
+        for pair in real {
+            let [z, m] = pair.points();
+            let Some(estimate) = conditioning(&positions, [&z, &m]) else { continue };
+            // Nearly double pairs, or pairs nearly at infinity, are not for floats.
+            if pair.multiplicity > 1 || estimate.condition > 1e5 || estimate.to_double < 1e-6 {
+                continue;
+            }
+            let found = found.as_ref().expect("four pairs");
+            let wanted = [z.re(), z.im(), m.re(), m.im()]
+                .map(|x| x.0.midpoint_rational().unwrap().to_f64());
+            let size = wanted.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            let error = |pair: &[Number<Complex<f64>>; 7]| {
+                let [h, x, y, cx, cy, ..] = pair.each_ref().map(|z| z.re().0);
+                let given = [x / h, y / h, cx / h, cy / h];
+                let distance = given.iter().zip(wanted);
+                distance.fold(0.0, |a: f64, (b, c)| a.max((b - c).abs())) / size
+            };
+            let nearest = found.iter().map(error).fold(f64::INFINITY, f64::min);
+            prop_assert!(nearest < 1e-13 * estimate.condition.max(1e3), "{nearest:e}, {estimate:?}");
+        }
+    }
+
     #[test]
     fn every_pair_passes_the_judge(five in [positions(), positions(), positions(), positions(), positions()]) {
         assert_all_pairs(&five)?;

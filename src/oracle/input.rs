@@ -307,6 +307,14 @@ impl Angle {
         }
     }
 
+    /// Whether this is no turn at all.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Angle::Degrees(q) | Angle::Radians(q) => q.is_zero(),
+            Angle::CosSin(cos, sin) => *cos == 1 && sin.is_zero(),
+        }
+    }
+
     /// In any arithmetic with elementary functions.
     pub fn rounded<K: Elementary>(&self, precision: &K::Precision) -> plane::Angle<K> {
         let number = |q: &Rational| Number::<K>::rounded(q, precision);

@@ -97,6 +97,23 @@ impl Given {
         Some(Positions::new(displacements?))
     }
 
+    /// Where all angles are the same, in whatever unit, the translations, seen from a moving plane that
+    /// is turned by that angle: what does not speak of points of the moving plane is the same.
+    pub fn translations(&self) -> Option<Positions<Exact>> {
+        let Given::Poses(poses) = self else {
+            return None;
+        };
+        let (_, first) = poses.first()?;
+        let displacements = poses.iter().map(|(place, angle)| {
+            let turn = first.turn_to(angle)?;
+            turn.is_zero().then(|| Displacement {
+                rotation: Number::one(),
+                translation: point(place),
+            })
+        });
+        Some(Positions::new(displacements.collect::<Option<_>>()?))
+    }
+
     /// With sums of square roots, where these hold all cosines and sines.
     pub fn exact(&self) -> Option<Positions<Surd>> {
         let displacements: Option<Vec<_>> = match self {

@@ -20,7 +20,65 @@ pub struct Meets<K> {
     /// Where this is zero too, the equations are the same.
     pub second: Polynomial<K>,
     /// h, x, y, X, Y, p, q of the meet on a line, where the equations differ.
-    pub coordinates: [Polynomial<K>; 7],
+    pub coordinates: MeetOnLine<K>,
+}
+
+/// The meet on the line of one s: second (e₀ + s e₁) − first e₂.
+#[derive(Clone, Debug)]
+pub struct MeetOnLine<K> {
+    basis: [Coordinates<K>; 3],
+    weights: [Polynomial<K>; 3],
+}
+
+impl<K: Kind> MeetOnLine<K> {
+    fn new(basis: &[Coordinates<K>; 3], first: &Polynomial<K>, second: &Polynomial<K>) -> Self {
+        MeetOnLine {
+            basis: basis.clone(),
+            weights: [
+                second.clone(),
+                second * &Polynomial::variable(),
+                -first.clone(),
+            ],
+        }
+    }
+
+    /// One point for all s.
+    pub fn fixed(point: Coordinates<K>) -> Self {
+        let nothing = || std::array::from_fn(|_| Number::zero());
+        MeetOnLine {
+            basis: [point, nothing(), nothing()],
+            weights: [
+                Polynomial::from_integers(&[1]),
+                Polynomial::zero(),
+                Polynomial::zero(),
+            ],
+        }
+    }
+
+    /// As polynomials in s.
+    pub fn polynomials(&self) -> [Polynomial<K>; 7] {
+        std::array::from_fn(|i| {
+            let terms = self.weights.iter().zip(&self.basis);
+            let terms = terms.map(|(weight, axis)| weight.scaled(&axis[i]));
+            terms.fold(Polynomial::zero(), |sum, term| sum + term)
+        })
+    }
+
+    /// In one s of any kind.
+    pub fn at<L: Kind>(
+        &self,
+        s: &Number<L>,
+        convert: impl Fn(&Number<K>) -> Number<L>,
+    ) -> Coordinates<L> {
+        let weights = self
+            .weights
+            .each_ref()
+            .map(|weight| weight.map(&convert).evaluate(s));
+        std::array::from_fn(|i| {
+            let terms = weights.iter().zip(&self.basis);
+            terms.map(|(weight, axis)| weight * convert(&axis[i])).sum()
+        })
+    }
 }
 
 /// A line of pairs, and the one meet of the conics beside it.
@@ -68,7 +126,7 @@ impl<K: Kind> Chart<K> {
         let third = b * c1 - b1 * c;
         Meets {
             resultant: &first * &first - &second * &third,
-            coordinates: self.coordinates(&first, &second),
+            coordinates: MeetOnLine::new(&self.basis, &first, &second),
             second,
         }
     }
@@ -121,15 +179,6 @@ impl<K: Kind> Chart<K> {
     fn point(&self, s: &Number<K>, n: &Number<K>) -> Coordinates<K> {
         let [e0, e1, e2] = &self.basis;
         std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
-    }
-
-    /// second (e₀ + s e₁) − first e₂.
-    fn coordinates(&self, first: &Polynomial<K>, second: &Polynomial<K>) -> [Polynomial<K>; 7] {
-        let [e0, e1, e2] = &self.basis;
-        std::array::from_fn(|i| {
-            let along = Polynomial::new(vec![e0[i].clone(), e1[i].clone()]);
-            second * &along - first.scaled(&e2[i])
-        })
     }
 }
 

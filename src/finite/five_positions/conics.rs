@@ -2,7 +2,7 @@
 
 use rug::{Integer, Rational};
 
-use super::chart::{Chart, Meets};
+use super::chart::{Chart, MeetOnLine, Meets};
 use super::conditions::{Coordinates, finite_pair, rows};
 use crate::number::exact::primitive;
 use crate::number::linear::{determinant, integer_kernel};
@@ -31,6 +31,7 @@ pub enum Pairs {
 pub struct Isolated {
     /// The roots s, real and complex, with multiplicities that add up to 4.
     roots: Vec<Root>,
+    meet: MeetOnLine<Exact>,
     /// h, x, y, X, Y, p, q as polynomials in s.
     coordinates: [Poly; 7],
     /// The polynomial of which they are the roots, by where the pairs lie.
@@ -100,8 +101,7 @@ pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
 /// One pair that counts four times, where both conics have their double point.
 fn fourfold(chart: &Chart<Exact>) -> Option<Isolated> {
     let (s, pair) = chart.common_vertex(&chart.meets())?;
-    let constants = pair.map(Poly::constant);
-    Isolated::new(&Poly::linear(&s).power(4), &constants)
+    Isolated::new(&Poly::linear(&s).power(4), MeetOnLine::fixed(pair))
 }
 
 impl Place {
@@ -124,10 +124,14 @@ fn solved(meets: &Meets<Exact>) -> Option<Isolated> {
     let Meets {
         resultant, second, ..
     } = meets;
-    if resultant.degree() != Some(4) || resultant.gcd(second)?.degree() != Some(0) {
+    if resultant.degree() != Some(4) {
         return None;
     }
-    Isolated::new(resultant, &meets.coordinates)
+    let resultant = resultant.primitive_part()?;
+    if resultant.gcd(second)?.degree() != Some(0) {
+        return None;
+    }
+    Isolated::new(&resultant, meets.coordinates.clone())
 }
 
 /// The integers in the same ratio as rational numbers.
@@ -144,14 +148,16 @@ fn numbers(integers: Vec<Integer>) -> Option<Coordinates<Exact>> {
 }
 
 impl Isolated {
-    fn new(resultant: &Poly, coordinates: &[Poly; 7]) -> Option<Self> {
-        let [h, x, y, cx, cy, ..] = coordinates;
+    fn new(resultant: &Poly, meet: MeetOnLine<Exact>) -> Option<Self> {
+        let coordinates = meet.polynomials();
+        let [h, x, y, cx, cy, ..] = &coordinates;
         let mut split = Vec::new();
         for (factor, multiplicity) in resultant.square_free_factors()? {
             let power = u32::try_from(multiplicity).ok()?;
             let at_infinity = factor.gcd(h)?;
             if at_infinity.degree() == Some(0) {
-                split.push((Place::Finite, factor.power(power)));
+                let part = if power == 1 { factor } else { factor.power(power) };
+                split.push((Place::Finite, part));
                 continue;
             }
             let no_z = at_infinity.gcd(x)?.gcd(y)?;
@@ -176,7 +182,8 @@ impl Isolated {
         }
         Some(Isolated {
             roots,
-            coordinates: coordinates.clone(),
+            meet,
+            coordinates,
             parts: split,
         })
     }
@@ -189,7 +196,7 @@ impl Isolated {
         for pair in known {
             rest = rest.divide(&self.root_of(&rest, pair)?)?.0;
         }
-        Isolated::new(&rest, &self.coordinates)
+        Isolated::new(&rest, self.meet.clone())
     }
 
     /// Which of the real pairs this is, as [`real`](Self::real) lists them.
@@ -272,7 +279,6 @@ impl Isolated {
 
     /// The real pairs, to so many bits of the root.
     pub fn real(&self, bits: u32) -> Vec<Pair<Ball>> {
-        let parts = self.coordinates.each_ref();
         let real = self.roots.iter().filter_map(|root| match root {
             Root::Real(root, place) => Some((root, *place)),
             Root::Complex(..) => None,
@@ -282,9 +288,8 @@ impl Isolated {
                 Some(exact) => Number::from(exact),
                 None => root.enclosure(bits),
             };
-            let ball = |x: &Number<Exact>| Number::<Ball>::from(rational(x));
             Pair {
-                coordinates: parts.map(|part| part.map(ball).evaluate(&s)),
+                coordinates: self.meet.at(&s, ball),
                 place,
                 multiplicity: root.multiplicity(),
             }
@@ -294,7 +299,6 @@ impl Isolated {
 
     /// One of each couple of conjugate pairs, to so many bits of the root.
     pub fn complex(&self, bits: u32) -> Vec<Pair<Complex<Ball>>> {
-        let parts = self.coordinates.each_ref();
         let complex = self.roots.iter().filter_map(|root| match root {
             Root::Complex(root, place) => Some((root, *place)),
             Root::Real(..) => None,
@@ -302,9 +306,8 @@ impl Isolated {
         complex
             .map(|(root, place)| {
                 let s = root.enclosure(bits);
-                let ball = |x: &Number<Exact>| Number::<Ball>::from(rational(x));
                 Pair {
-                    coordinates: parts.map(|part| part.map(ball).evaluate_complex(&s)),
+                    coordinates: self.meet.at(&s, |x| ball(x).into()),
                     place,
                     multiplicity: root.multiplicity(),
                 }
@@ -391,6 +394,10 @@ fn resultant_with_quadratic(
         }
     }
     determinant(&rows)
+}
+
+fn ball(x: &Number<Exact>) -> Number<Ball> {
+    rational(x).into()
 }
 
 fn rational(x: &Number<Exact>) -> Rational {

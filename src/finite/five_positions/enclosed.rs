@@ -52,9 +52,9 @@ fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
     let real = roots
         .real
         .iter()
-        .map(|s| coordinates.each_ref().map(|part| part.evaluate(s)));
+        .map(|s| coordinates.at(s, Number::clone));
     let complex =
-        (roots.complex.iter()).map(|s| coordinates.each_ref().map(|part| part.evaluate_complex(s)));
+        (roots.complex.iter()).map(|s| coordinates.at(s, |x| x.clone().into()));
     differ.then(|| Enclosed {
         real: real.collect(),
         complex: complex.collect(),

@@ -71,6 +71,18 @@ impl Enclosure {
         }
     }
 
+    /// A constant as an operand of so many bits: an integer with no more bits than it has, for short
+    /// factors are quick.
+    pub fn operand(constant: &Constant, precision: u32) -> Enclosure {
+        if let Constant::Rational(q) = constant
+            && q.is_integer()
+            && q.numer().significant_bits() < precision
+        {
+            return Enclosure::from_rational(q, q.numer().significant_bits().max(2));
+        }
+        Enclosure::from_constant(constant, precision)
+    }
+
     /// A ball around the numbers from `low` to `high`.
     pub fn hull(low: &Float, high: &Float, precision: u32) -> Enclosure {
         if !low.is_finite() || !high.is_finite() {

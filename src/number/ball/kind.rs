@@ -26,7 +26,7 @@ impl Ball {
             (Content::Enclosure(a), Content::Enclosure(b)) => enclosures(a, b),
             (Content::Enclosure(a), Content::Constant(Constant::Integer(b))) => with_integer(a, *b),
             (Content::Enclosure(a), Content::Constant(b)) => {
-                enclosures(a, &Enclosure::from_constant(b, a.precision()));
+                enclosures(a, &Enclosure::operand(b, a.precision()));
             }
             (Content::Constant(a), Content::Enclosure(b)) => {
                 let mut result = Enclosure::from_constant(a, b.precision());

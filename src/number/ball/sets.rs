@@ -48,6 +48,16 @@ impl Ball {
         }
     }
 
+    /// An e with a radius < 2^e; the least number for a radius 0. `None` where nothing is known.
+    pub(in crate::number) fn spread(&self) -> Option<i64> {
+        match &self.0 {
+            Content::NoValue => None,
+            Content::Constant(_) => Some(i64::MIN),
+            Content::Enclosure(ball) if ball.radius.is_infinite() => None,
+            Content::Enclosure(ball) => Some(ball.radius.exponent()),
+        }
+    }
+
     /// The midpoint; of a constant the constant. `None` where there is no value or nothing is
     /// known. Memory grows with the magnitude of the exponent.
     pub fn midpoint_rational(&self) -> Option<Rational> {

@@ -8,7 +8,7 @@ use super::descartes::times_power_of_two;
 use super::factor::{Factor, log2_above, log2_below};
 use super::point::Point;
 use super::polish;
-use super::proof::{FEW_BITS, root_within};
+use super::proof::{FEW_BITS, half, root_within, sharpened};
 use crate::number::{Ball, Complex, Number, Real};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -144,7 +144,8 @@ impl ComplexRoot {
         square(&root.disc, bits.saturating_add(8))
     }
 
-    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    /// Newton's method without proof to half of the bits, a proof there, and one step more; `None`
+    /// where that does not work out.
     fn leap(&self, bits: u32) -> Option<Number<Complex<Ball>>> {
         let disc = &self.disc;
         let known = disc.relative_bits().clamp(0, i64::from(bits));
@@ -153,34 +154,32 @@ impl ComplexRoot {
             re: Float::with_val(known + GUARD_BITS, &disc.re),
             im: Float::with_val(known + GUARD_BITS, &disc.im),
         };
-        let to = bits.checked_add(16)?;
-        let near = polish::complex(self.factor.polynomial(), start, known, to);
+        let half = half(bits.checked_add(16)?);
+        let near = polish::complex(self.factor.polynomial(), start, known, half);
         if !near.is_finite() {
             return None;
         }
-        let precision = to.checked_add(GUARD_BITS)?;
-        let reach = root_within(
-            &self.factor.in_balls(precision),
-            &self.factor.slope_in_balls(FEW_BITS),
-            &near,
-        )?;
-        let size = i64::from(near.re.get_exp().max(near.im.get_exp())?) - 1;
-        let around = |part: &Float, bits: u32| {
-            Number(Ball::around(part.clone(), reach).with_precision(bits))
-        };
+        let rough = self.factor.in_balls(half + GUARD_BITS);
+        let reach = root_within(&rough, &self.factor.slope_in_balls(FEW_BITS), &near)?;
         let wide = known + GUARD_BITS;
+        let around =
+            |part: &Float| Number(Ball::around(part.clone(), reach).with_precision(wide));
         let ball = |part: &Rational| Number::<Ball>::rounded(part, &wide);
-        let x = around(&near.re, wide) - ball(&disc.re);
-        let y = around(&near.im, wide) - ball(&disc.im);
+        let x = around(&near.re) - ball(&disc.re);
+        let y = around(&near.im) - ball(&disc.im);
         let inside = (ball(&disc.radius).square() - x.square() - y.square()).is_positive();
-        if !inside.is_yes() || reach >= size - i64::from(bits) {
+        if !inside.is_yes() {
             return None;
         }
+        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
+        let root = sharpened(&whole, &self.factor.slope_in_balls(half), &near, reach);
+        let size = i64::from(near.re.get_exp().max(near.im.get_exp())?) - 1;
+        let spread = root.re().0.spread()?.max(root.im().0.spread()?);
         let bits = bits.saturating_add(8);
-        Some(Number::complex(
-            around(&near.re, bits),
-            around(&near.im, bits),
-        ))
+        (spread < size - i64::from(bits) + 7).then(|| {
+            let rounded = |x: &Number<Ball>| Number(x.0.with_precision(bits));
+            Number::complex(rounded(root.re()), rounded(root.im()))
+        })
     }
 
     /// Narrows the isolating disc to a radius of at most 2^−bits |root|.

@@ -33,6 +33,12 @@ impl IntegerPolynomial {
             .iter()
             .map(|c| c.0.rational())
             .collect::<Option<_>>()?;
+        if rationals.iter().all(|q| q.is_integer()) {
+            let integers = rationals.iter().map(|q| q.numer().clone());
+            let mut result = IntegerPolynomial::new(integers.collect());
+            let content = result.make_primitive();
+            return Some((content.into(), result));
+        }
         let denominator = rationals
             .iter()
             .fold(Integer::from(1), |lcm, q| lcm.lcm(q.denom()));

@@ -31,17 +31,42 @@ pub(super) fn root_within(
     Some(size + 1 + degree)
 }
 
-/// An e with |x − ζ| < 2^e for the only root ζ in an interval X around x, if Newton's step from there
-/// with the slopes of all of X stays within it.
-pub(super) fn newton_within(
+/// Whether Newton's step from x with the slopes of all numbers within 2^reach of it stays among them:
+/// then they hold exactly one root.
+pub(super) fn holds_one_root(
     p: &Polynomial<Ball>,
     slope: &Polynomial<Ball>,
     x: &Float,
     reach: i64,
-) -> Option<i64> {
+) -> bool {
     let around = few(&Number(Ball::around(x.clone(), reach)));
     let step = few(&p.evaluate(&exactly(x))) / slope.evaluate(&around);
-    step.0.magnitude().filter(|size| *size <= reach)
+    step.0.magnitude().is_some_and(|size| size <= reach)
+}
+
+/// A much smaller enclosure of a root within 2^reach of z, by one step of Newton's method:
+/// p(z) = (z − ζ) s with a mean s of the derivative between z and ζ.
+pub(super) fn sharpened(
+    p: &Polynomial<Ball>,
+    slope: &Polynomial<Ball>,
+    z: &Point,
+    reach: i64,
+) -> Number<Complex<Ball>> {
+    let around = |x: &Float| Number(Ball::around(x.clone(), reach));
+    if z.im.is_zero() {
+        let slope = slope.evaluate(&around(&z.re));
+        let step = p.evaluate(&exactly(&z.re)) / slope;
+        return Number::complex(exactly(&z.re) - step, Number::zero());
+    }
+    let slope = slope.evaluate_complex(&Number::complex(around(&z.re), around(&z.im)));
+    let point = Number::complex(exactly(&z.re), exactly(&z.im));
+    let step = p.evaluate_complex(&point) / slope;
+    point - step
+}
+
+/// Bits of a point from which one step more gives so many.
+pub(super) fn half(bits: u32) -> u32 {
+    bits / 2 + 24
 }
 
 fn exactly(x: &Float) -> Number<Ball> {

@@ -7,7 +7,8 @@ use rug::{Float, Integer, Rational};
 
 use super::descartes::Interval;
 use super::factor::{Factor, log2_above, log2_below};
-use super::proof::{FEW_BITS, newton_within};
+use super::point::Point;
+use super::proof::{FEW_BITS, half, holds_one_root, sharpened};
 use super::{modular, polish};
 use crate::number::{Ball, Number};
 
@@ -123,7 +124,8 @@ impl RealRoot {
         Number(Ball::with_radius(&interval.middle(), &radius, precision))
     }
 
-    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    /// Newton's method without proof to half of the bits, a proof there, and one step more; `None`
+    /// where that does not work out.
     fn leap(&self, bits: u32) -> Option<Ball> {
         if self.interval.is_point() {
             return None;
@@ -131,12 +133,13 @@ impl RealRoot {
         let known = relative_bits(&self.interval).clamp(0, i64::from(bits));
         let known = u32::try_from(known).ok()?;
         let start = Float::with_val(known + GUARD_BITS, self.interval.middle());
-        let to = bits.checked_add(16)?;
-        let near = polish::real(self.factor.polynomial(), &start, known, to);
+        let half = half(bits.checked_add(16)?);
+        let near = polish::real(self.factor.polynomial(), &start, known, half);
         if !near.is_finite() {
             return None;
         }
-        let reach = magnitude(&self.interval) - i64::from(bits) - 1;
+        let size = magnitude(&self.interval);
+        let reach = size - i64::from(half);
         let wide = known + GUARD_BITS;
         let around = Number(Ball::around(near.clone(), reach).with_precision(wide));
         let [low, high] = [&self.interval.low, &self.interval.high]
@@ -144,14 +147,20 @@ impl RealRoot {
         if !low.is_positive().is_yes() || !(-high).is_positive().is_yes() {
             return None;
         }
-        let precision = to.checked_add(GUARD_BITS)?;
-        let within = newton_within(
-            &self.factor.in_balls(precision),
-            &self.factor.slope_in_balls(FEW_BITS),
-            &near,
-            reach,
-        )?;
-        Some(Ball::around(near, within).with_precision(bits.saturating_add(8)))
+        let rough = self.factor.in_balls(half + GUARD_BITS);
+        let slope = self.factor.slope_in_balls(FEW_BITS);
+        if !holds_one_root(&rough, &slope, &near, reach) {
+            return None;
+        }
+        let point = Point {
+            re: near,
+            im: Float::new(2),
+        };
+        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
+        let root = sharpened(&whole, &self.factor.slope_in_balls(half), &point, reach);
+        let ball = root.0.re.0;
+        let is_small = ball.spread()? < size - i64::from(bits);
+        is_small.then(|| ball.with_precision(bits.saturating_add(8)))
     }
 
     /// Narrows the isolating interval to a width of at most 2^−bits |root|.

@@ -31,7 +31,9 @@ pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Valu
     let mut answer = match request.arithmetic {
         Arithmetic::Float => of_floats(&given, wishes.as_ref(), request),
         Arithmetic::Certified => {
-            let exact = rational.map(|five| {
+            // Translations have families only, of which no circlepoint is told.
+            let exact = rational.or_else(|| five(&given.translations()?));
+            let exact = exact.map(|five| {
                 let pairs = conics::pairs(&five);
                 (five, pairs)
             });
