@@ -16,6 +16,7 @@ pub mod line;
 pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;
+pub mod region_edges;
 pub mod relation;
 pub mod tangents;
 pub mod trace;

@@ -11,6 +11,7 @@
 //! - [`loop_closure`]: the crank carried back into its first position, as a determinant.
 
 pub mod circle_conditions;
+pub mod congruent_pencils;
 pub mod isotropic;
 pub mod loop_closure;
 pub mod viewing_angles;
