@@ -7,3 +7,4 @@ pub mod focal_mechanism;
 pub mod four_bar;
 pub mod hart;
 pub mod passage;
+pub mod passage_changes;

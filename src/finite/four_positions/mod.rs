@@ -14,4 +14,6 @@ pub mod circle_conditions;
 pub mod congruent_pencils;
 pub mod isotropic;
 pub mod loop_closure;
+pub mod stretches;
 pub mod viewing_angles;
+pub mod wishes;
