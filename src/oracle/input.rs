@@ -84,6 +84,28 @@ impl<'a> Fields<'a> {
         Ok(())
     }
 
+    /// Whether there is such a field.
+    pub fn has(&self, name: &str) -> bool {
+        self.object.contains_key(name)
+    }
+
+    /// An object that may be missing.
+    pub fn object(&self, name: &str) -> Result<Option<Fields<'a>>, ProblemError> {
+        let value = self.object.get(name);
+        value
+            .map(|value| Fields::at(value, &self.path(name)))
+            .transpose()
+    }
+
+    /// One of these words; `None` where the field is missing.
+    pub fn word(&self, name: &str, words: &[&str]) -> Result<Option<&'a str>, ProblemError> {
+        match self.object.get(name) {
+            None => Ok(None),
+            Some(Value::String(word)) if words.contains(&word.as_str()) => Ok(Some(word)),
+            Some(_) => Err(self.error(name, format!("one of {} was expected", words.join(", ")))),
+        }
+    }
+
     fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
         self.object
             .get(name)
@@ -105,24 +127,14 @@ impl<'a> Fields<'a> {
     /// A list of points, each a list of two numbers.
     pub fn points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
         let read = |(place, value): (usize, &Value)| {
-            let place = format!("{}[{place}]", self.path(name));
-            match value {
-                Value::Array(pair) if pair.len() == 2 => {
-                    let part = |axis: usize| {
-                        number(
-                            pair.get(axis).unwrap_or(&Value::Null),
-                            &format!("{place}[{axis}]"),
-                        )
-                    };
-                    Ok([part(0)?, part(1)?])
-                }
-                other => Err(ProblemError::new(
-                    &place,
-                    format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),
-                )),
-            }
+            point(value, &format!("{}[{place}]", self.path(name)))
         };
         self.list(name)?.iter().enumerate().map(read).collect()
+    }
+
+    /// A point, a list of two numbers.
+    pub fn point(&self, name: &str) -> Result<[Rational; 2], ProblemError> {
+        point(self.get(name)?, &self.path(name))
     }
 
     /// The points of a field that may be missing.
@@ -168,6 +180,24 @@ fn kind(value: &Value) -> &'static str {
         Value::String(_) => "a string",
         Value::Array(_) => "a list",
         Value::Object(_) => "an object",
+    }
+}
+
+fn point(value: &Value, place: &str) -> Result<[Rational; 2], ProblemError> {
+    match value {
+        Value::Array(pair) if pair.len() == 2 => {
+            let part = |axis: usize| {
+                number(
+                    pair.get(axis).unwrap_or(&Value::Null),
+                    &format!("{place}[{axis}]"),
+                )
+            };
+            Ok([part(0)?, part(1)?])
+        }
+        other => Err(ProblemError::new(
+            place,
+            format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),
+        )),
     }
 }
 

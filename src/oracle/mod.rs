@@ -1,6 +1,7 @@
 //! Problem in, certified answer out.
 
 mod centerpoint_curve;
+mod curve_wishes;
 mod five_positions;
 mod focal_mechanism;
 mod geometry;
@@ -13,6 +14,7 @@ mod poles;
 mod positions;
 mod sharpen;
 mod slider_crank_alternates;
+mod stretches;
 mod three_positions;
 
 use serde_json::{Map, Value, json};

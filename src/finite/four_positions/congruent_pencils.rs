@@ -167,7 +167,7 @@ impl CongruentPencils {
             let circlepoint = circlepoint_of(positions.first_four()?, center)?;
             let [x, y] = centers.slope_towards(center);
             let along = circlepoint - &twin.focus;
-            reduced(&(&centers.base * along * Number::complex(x, -y)))
+            reduced(&(along * Number::complex(x, -y)))
         });
         candidates
             .flat_map(|base| [1, -1].map(|sign| (base.clone(), sign)))
