@@ -12,7 +12,9 @@ use crate::number::{Ball, Exact};
 use crate::finite::positions::Positions;
 use crate::plane::projective::ProjectivePoint;
 
-/// Adds the field to an answer; null, and named as undecided with the reason, where it is not known.
+/// Adds the field to an answer. A stretch runs from one end to the other in the direction of its branch:
+/// on a closed branch the line from the focus to the center turns counterclockwise, on one to infinity it
+/// does so where the center is on the other side of the midline than the focus. The field is null, and named as undecided with the reason, where it is not known.
 pub fn extend(answer: &mut Map<String, Value>, given: &Given, wishes: &Wishes, request: &Request) {
     let found = given
         .rational()

@@ -8,6 +8,7 @@ mod focal_mechanism;
 mod frames;
 mod hart;
 mod poles;
+mod stretches;
 mod three_positions;
 
 use serde_json::Value;
@@ -16,7 +17,7 @@ use serde_json::Value;
 /// with nothing to show.
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
-        "centerpoint-curve" => centerpoint_curve::picture(answer),
+        "centerpoint-curve" => centerpoint_curve::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),
         "poles" => poles::picture(problem, answer),

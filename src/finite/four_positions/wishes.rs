@@ -5,11 +5,11 @@ use std::cmp::Ordering;
 use super::congruent_pencils::{CongruentPencils, Dyad, constant_point, in_kind};
 use crate::finite::positions::Positions;
 use crate::linkage::passage::{Drive, Passage};
-use crate::linkage::passage_changes;
-use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Real, Truth};
+use crate::linkage::movability;
+use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Truth};
 use crate::plane::displacement::Displacement;
 use crate::plane::region_edges::Region;
-use crate::plane::{Point, relation};
+use crate::plane::Point;
 
 /// All wishes; what is not wished is missing or false.
 #[derive(Clone, Debug, Default)]
@@ -38,29 +38,10 @@ pub struct Beside {
     pub without_defects: bool,
 }
 
-/// A sign that is wanted; unknown where it is not known.
-fn is(sign: Option<Ordering>, wanted: Ordering) -> Truth {
-    Truth::of_sign(sign, |sign| sign == wanted)
-}
-
 fn equal(signs: Option<Vec<Ordering>>) -> Truth {
     signs.map_or(Truth::Unknown, |signs| {
         signs.windows(2).all(|pair| pair[0] == pair[1]).into()
     })
-}
-
-/// Whether four points of a circle are passed in order by one turn, one way or the other: the triangles
-/// 123 and 134 turn alike.
-fn in_order<K: Real>(places: &[Point<K>]) -> Truth {
-    let [a, b, c, d] = places else {
-        return Truth::Unknown;
-    };
-    let (first, second) = (relation::twice_area(a, b, c), relation::twice_area(a, c, d));
-    match (first.sign(), second.sign()) {
-        (Some(Ordering::Equal), _) | (_, Some(Ordering::Equal)) => Truth::No,
-        (Some(turn), sign) => is(sign, turn),
-        _ => Truth::Unknown,
-    }
 }
 
 impl Wishes {
@@ -91,10 +72,10 @@ impl Wishes {
         if let Some(beside) = &self.beside {
             let passage = beside.passage(positions.displacements(), &dyad, |x| x);
             if beside.crank_driven || beside.without_defects {
-                functions.extend(passage_changes::of_type(&passage));
+                functions.extend(movability::limits_of_turning(&passage));
             }
             if beside.without_defects {
-                functions.extend(passage_changes::of_sides(&passage));
+                functions.extend(movability::limits_of_sides(&passage));
             }
         }
         for function in functions {
@@ -117,7 +98,7 @@ impl Wishes {
             & within(&self.circlepoints, &dyad.circlepoint);
         if self.in_order && !truth.is_no() {
             let places = positions.iter().map(|d| in_kind(d).of(&dyad.circlepoint));
-            truth = truth & in_order(&places.collect::<Vec<_>>());
+            truth = truth & movability::in_order(&places.collect::<Vec<_>>());
         }
         match &self.beside {
             Some(beside) if !truth.is_no() => truth & beside.fulfilled(positions, dyad, bits),
@@ -156,38 +137,32 @@ impl Beside {
             Number::complex(part(point.re()), part(point.im()))
         };
         let passage = self.passage(positions, sought, round);
-        let Some(is_crank) = passage.is_crank(self.drive) else {
-            return Truth::Unknown;
-        };
-        if self.crank_driven && !is_crank {
+        let mut truth = Truth::Yes;
+        if self.without_defects && self.drive == Drive::First && self.stands_still(positions) {
             return Truth::No;
         }
-        if !self.without_defects {
-            return Truth::Yes;
+        if self.crank_driven {
+            truth = movability::drive_turns(&passage, self.drive);
         }
-        equal(passage.circuit())
-            & equal(passage.assembly(self.drive))
-            & self.passes_in_order(positions, &passage, is_crank)
+        if self.without_defects && !truth.is_no() {
+            truth = truth
+                & movability::is_one_circuit(&passage)
+                & equal(passage.assembly(self.drive))
+                & movability::passes_in_order(&passage, self.drive);
+        }
+        truth
     }
-
-    fn passes_in_order(
-        &self,
-        positions: &[Displacement<Exact>],
-        passage: &Passage<Ball>,
-        is_crank: bool,
-    ) -> Truth {
-        match (is_crank, self.drive) {
-            (true, Drive::First) => {
-                let places = positions.iter().map(|d| d.of(&self.given.circlepoint));
-                in_order(&places.collect::<Vec<_>>())
+    /// Whether the given link is in one place in two of the positions.
+    fn stands_still(&self, positions: &[Displacement<Exact>]) -> bool {
+        let places: Vec<Point<Exact>> =
+            positions.iter().map(|d| d.of(&self.given.circlepoint)).collect();
+        let mut rest = places.as_slice();
+        while let Some((first, others)) = rest.split_first() {
+            if others.iter().any(|other| first.equals(other).is_yes()) {
+                return true;
             }
-            (true, Drive::Second) => {
-                let places = passage.joints.iter().map(|[_, joint]| joint.clone());
-                in_order(&places.collect::<Vec<_>>())
-            }
-            (false, drive) => passage.order(drive).map_or(Truth::Unknown, |order| {
-                (order == [0, 1, 2, 3] || order == [3, 2, 1, 0]).into()
-            }),
+            rest = others;
         }
+        false
     }
 }
