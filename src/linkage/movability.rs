@@ -78,8 +78,11 @@ pub fn is_one_circuit<K: Real>(passage: &Passage<K>) -> Truth {
     let shorter = |x: &Number<K>, others: [&Number<K>; 2]| less(x, others[0]) & less(x, others[1]);
     let [p, q] = &passage.pivots;
     let bends = |triple: &dyn Fn(&[Point<K>; 2]) -> Number<K>| -> Truth {
-        let signs: Option<Vec<Ordering>> =
-            passage.joints.iter().map(|joints| triple(joints).sign()).collect();
+        let signs: Option<Vec<Ordering>> = passage
+            .joints
+            .iter()
+            .map(|joints| triple(joints).sign())
+            .collect();
         signs.map_or(Truth::Unknown, |signs| {
             signs.windows(2).all(|pair| pair[0] == pair[1]).into()
         })

@@ -76,12 +76,18 @@ fn check_circle(
         .iter()
         .map(|d| relation::distance_squared(&d.of(&given.circlepoint), &given.center))
         .collect();
-    let is_circle = squares.windows(2).all(|pair| pair[0].equals(&pair[1]).is_yes());
+    let is_circle = squares
+        .windows(2)
+        .all(|pair| pair[0].equals(&pair[1]).is_yes());
     if is_circle {
         return Ok(());
     }
-    let float = |square: &Number<Exact>| square.0.rational().map_or(f64::NAN, |q| q.to_f64().sqrt());
-    let lengths: Vec<String> = squares.iter().map(|square| float(square).to_string()).collect();
+    let float =
+        |square: &Number<Exact>| square.0.rational().map_or(f64::NAN, |q| q.to_f64().sqrt());
+    let lengths: Vec<String> = squares
+        .iter()
+        .map(|square| float(square).to_string())
+        .collect();
     Err(wishes.error(
         "beside",
         format!(
@@ -120,7 +126,12 @@ fn rectangle(fields: &Fields<'_>) -> Result<Region, ProblemError> {
         return Err(fields.error("box", "the box has no inside"));
     }
     let corner = |x: &rug::Rational, y: &rug::Rational| point(&[x.clone(), y.clone()]);
-    let corners = vec![corner(x0, y0), corner(x1, y0), corner(x1, y1), corner(x0, y1)];
+    let corners = vec![
+        corner(x0, y0),
+        corner(x1, y0),
+        corner(x1, y1),
+        corner(x0, y1),
+    ];
     Ok(Region::Polygon(corners))
 }
 
@@ -138,7 +149,10 @@ fn circle(fields: &Fields<'_>) -> Result<Region, ProblemError> {
 fn polygon(fields: &Fields<'_>) -> Result<Region, ProblemError> {
     let corners: Vec<Point<Exact>> = fields.points("polygon")?.iter().map(point).collect();
     if corners.len() < 3 {
-        let message = format!("three corners at least were expected, not {}", corners.len());
+        let message = format!(
+            "three corners at least were expected, not {}",
+            corners.len()
+        );
         return Err(fields.error("polygon", message));
     }
     if crosses_itself(&corners) {
@@ -147,4 +161,3 @@ fn polygon(fields: &Fields<'_>) -> Result<Region, ProblemError> {
     }
     Ok(Region::Polygon(corners))
 }
-

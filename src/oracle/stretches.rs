@@ -8,8 +8,8 @@ use super::{Arithmetic, Request, output};
 use crate::finite::four_positions::congruent_pencils::{CongruentPencils, Dyad};
 use crate::finite::four_positions::stretches::{Spot, Stretch, stretches};
 use crate::finite::four_positions::wishes::Wishes;
-use crate::number::{Ball, Exact};
 use crate::finite::positions::Positions;
+use crate::number::{Ball, Exact};
 use crate::plane::projective::ProjectivePoint;
 
 /// Adds the field to an answer. A stretch runs from one end to the other in the direction of its branch:
@@ -27,7 +27,10 @@ pub fn extend(answer: &mut Map<String, Value>, given: &Given, wishes: &Wishes, r
         }),
         Err(reason) => Map::from_iter([
             ("stretches".to_owned(), Value::Null),
-            ("undecided".to_owned(), json!(format!("stretches ({reason})"))),
+            (
+                "undecided".to_owned(),
+                json!(format!("stretches ({reason})")),
+            ),
         ]),
     };
     if let (Some(Value::String(before)), Some(Value::String(new))) =

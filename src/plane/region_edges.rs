@@ -76,9 +76,8 @@ fn winding<K: Real>(corners: &[Point<Exact>], point: &Point<K>) -> Option<i32> {
         let [a, b] = [constant::<K>(a), constant::<K>(b)];
         let above = |corner: &Point<K>| Some(corner.im().compare(point.im())?.is_gt());
         let (from_above, to_above) = (above(&a)?, above(&b)?);
-        let within = |x: &Number<K>, y: &Number<K>, z: &Number<K>| {
-            Some(((x - y) * (z - y)).sign()?.is_le())
-        };
+        let within =
+            |x: &Number<K>, y: &Number<K>, z: &Number<K>| Some(((x - y) * (z - y)).sign()?.is_le());
         if from_above == to_above {
             // Only a level side can hold the point.
             let is_level = a.im().equals(b.im()).is_yes() && a.im().equals(point.im()).is_yes();
@@ -110,7 +109,11 @@ pub fn crosses_itself(corners: &[Point<Exact>]) -> bool {
             let back = (before - corner).conj() * (after - corner);
             return back.im().is_zero().is_yes() && back.re().is_positive().is_yes();
         }
-        let side = |p, q, r| relation::twice_area(p, q, r).sign().unwrap_or(Ordering::Equal);
+        let side = |p, q, r| {
+            relation::twice_area(p, q, r)
+                .sign()
+                .unwrap_or(Ordering::Equal)
+        };
         let (s, t, u, v) = (side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b));
         let on = |p: &Point<Exact>, q: &Point<Exact>, r: &Point<Exact>| {
             let between = ((p - r).conj() * (q - r)).re().sign();

@@ -54,7 +54,11 @@ fn part(stretch: &Value, points: &[[f64; 3]]) -> Option<Vec<Point>> {
     } else {
         (to, from)
     };
-    let length = if first == last { count } else { way(first, last) };
+    let length = if first == last {
+        count
+    } else {
+        way(first, last)
+    };
     let mut piece: Vec<Point> = (0..=length)
         .map(|step| finite(&points[(first + step) % count]))
         .collect();
@@ -86,7 +90,12 @@ fn nearest(point: &Value, points: &[[f64; 3]]) -> Option<usize> {
 pub fn region(problem: &Value) -> Option<Vec<Point>> {
     let region = problem.get("wishes")?.get("pivots_within")?;
     let corners = |name: &str| -> Option<Vec<Point>> {
-        region.get(name)?.as_array()?.iter().map(finite_point).collect()
+        region
+            .get(name)?
+            .as_array()?
+            .iter()
+            .map(finite_point)
+            .collect()
     };
     if let Some(circle) = region.get("circle") {
         let [x, y] = finite_point(circle.get("center")?)?;

@@ -161,7 +161,9 @@ impl CongruentPencils {
         let curve = FocalCubic::of(&cubic)?;
         let twin = FocalCubic::of(&viewing_angles::centerpoint_cubic(&positions.inverse())?)?;
         let centers = Pencil::new(&curve, curve.alpha.clone());
-        let poles = positions.pairs().filter_map(|(i, j)| positions.pole(i, j)?.finite());
+        let poles = positions
+            .pairs()
+            .filter_map(|(i, j)| positions.pole(i, j)?.finite());
         let known: Vec<Point<Exact>> = std::iter::once(curve.focus.clone()).chain(poles).collect();
         let candidates = known.iter().filter_map(|center| {
             let circlepoint = circlepoint_of(positions.first_four()?, center)?;
@@ -273,7 +275,9 @@ fn circlepoint_of(
     positions: &[Displacement<Exact>; 4],
     center: &Point<Exact>,
 ) -> Option<Point<Exact>> {
-    let places = positions.each_ref().map(|position| position.inverse().of(center));
+    let places = positions
+        .each_ref()
+        .map(|position| position.inverse().of(center));
     [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]
         .into_iter()
         .find_map(|[i, j, k]| {
@@ -287,7 +291,10 @@ fn circlepoint_of(
 
 /// A direction by primitive integers; `None` for zero.
 fn reduced(direction: &Point<Exact>) -> Option<Point<Exact>> {
-    let parts = [direction.re().0.rational()?.clone(), direction.im().0.rational()?.clone()];
+    let parts = [
+        direction.re().0.rational()?.clone(),
+        direction.im().0.rational()?.clone(),
+    ];
     let integers = primitive(&parts);
     let part = |place: usize| Some(Number::from(rug::Rational::from(integers.get(place)?)));
     let result = Number::complex(part(0)?, part(1)?);
@@ -296,11 +303,22 @@ fn reduced(direction: &Point<Exact>) -> Option<Point<Exact>> {
 
 /// k > 0 with a = k² b for two forms; `None` where there is none that is rational.
 fn ratio_root(a: &[Number<Exact>; 3], b: &[Number<Exact>; 3]) -> Option<Number<Exact>> {
-    let place = b.iter().position(|coefficient| coefficient.is_zero().is_no())?;
+    let place = b
+        .iter()
+        .position(|coefficient| coefficient.is_zero().is_no())?;
     let ratio = &a[place] / &b[place];
     let proportional = a.iter().zip(b).map(|(a, b)| a.equals(&(&ratio * b)));
     if !Truth::all(proportional).is_yes() {
         return None;
     }
-    Some(rational_sqrt(ratio.0.rational().filter(|ratio| ratio.cmp0().is_gt())?.clone())?.into())
+    Some(
+        rational_sqrt(
+            ratio
+                .0
+                .rational()
+                .filter(|ratio| ratio.cmp0().is_gt())?
+                .clone(),
+        )?
+        .into(),
+    )
 }

@@ -170,7 +170,11 @@ impl<'a> Curve<'a> {
             // Through the node the branch goes straight on.
             (CurveType::Nodal, &[node]) => {
                 let out = up(0, node, far).chain(up(node + 1, last, near));
-                only(out.chain(up(0, node, near)).chain(up(node + 1, last, far)).collect())
+                only(
+                    out.chain(up(0, node, near))
+                        .chain(up(node + 1, last, far))
+                        .collect(),
+                )
             }
             // Between the two zeros of the discriminant there is no point; s changes its sign in them.
             (CurveType::OneBranch, &[first, second]) => {
@@ -184,7 +188,9 @@ impl<'a> Curve<'a> {
                 only(if leading.is_lt() {
                     up(0, turn, far).chain(down(turn, 0, near)).collect()
                 } else {
-                    down(last, turn + 1, near).chain(up(turn + 1, last, far)).collect()
+                    down(last, turn + 1, near)
+                        .chain(up(turn + 1, last, far))
+                        .collect()
                 })
             }
             _ => None,
@@ -218,9 +224,7 @@ impl<'a> Curve<'a> {
                 }]
             }));
         }
-        let begins = |here: usize| {
-            samples[here].is_some() && !goes_on[(here + count - 1) % count]
-        };
+        let begins = |here: usize| samples[here].is_some() && !goes_on[(here + count - 1) % count];
         let mut list = Vec::new();
         for first in (0..count).filter(|here| begins(*here)) {
             let mut length = 1;
@@ -265,7 +269,11 @@ impl<'a> Curve<'a> {
         let bound = |upper: bool| self.zero(&cell, upper).slope;
         let (low, high) = (bound(false), bound(true));
         for attempt in 0..SAMPLES {
-            let slope = between(low.bounds().map(|b| b[1]), high.bounds().map(|b| b[0]), attempt);
+            let slope = between(
+                low.bounds().map(|b| b[1]),
+                high.bounds().map(|b| b[0]),
+                attempt,
+            );
             let spot = Spot {
                 slope: Slope::Rational(slope),
                 sheet: cell.sheet,

@@ -4,12 +4,12 @@ use std::cmp::Ordering;
 
 use super::congruent_pencils::{CongruentPencils, Dyad, constant_point, in_kind};
 use crate::finite::positions::Positions;
-use crate::linkage::passage::{Drive, Passage};
 use crate::linkage::movability;
+use crate::linkage::passage::{Drive, Passage};
 use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Truth};
+use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 use crate::plane::region_edges::Region;
-use crate::plane::Point;
 
 /// All wishes; what is not wished is missing or false.
 #[derive(Clone, Debug, Default)]
@@ -54,11 +54,18 @@ impl Wishes {
         pencils: &CongruentPencils,
     ) -> Option<Vec<Polynomial<Exact>>> {
         let mut limits = Vec::new();
-        if self.in_order || self.beside.as_ref().is_some_and(|beside| beside.without_defects) {
+        if self.in_order
+            || self
+                .beside
+                .as_ref()
+                .is_some_and(|beside| beside.without_defects)
+        {
             // Two places of a point on a circle about its center change their order where they are one:
             // in an image pole.
             let inverse = positions.inverse();
-            let poles = positions.pairs().filter_map(|(i, j)| inverse.pole(i, j)?.finite());
+            let poles = positions
+                .pairs()
+                .filter_map(|(i, j)| inverse.pole(i, j)?.finite());
             limits.extend(poles.map(|pole| pencils.slope_of_circlepoint(&pole)));
         }
         let dyad = pencils.functions()?;
@@ -81,7 +88,10 @@ impl Wishes {
         for function in functions {
             limits.push(function.0.norm()?);
         }
-        limits.iter().all(|limit| !limit.is_zero()).then_some(limits)
+        limits
+            .iter()
+            .all(|limit| !limit.is_zero())
+            .then_some(limits)
     }
 
     /// Whether a pair fulfils all wishes, in balls of so many bits.
@@ -92,10 +102,12 @@ impl Wishes {
         bits: u32,
     ) -> Truth {
         let within = |region: &Option<Region>, point: &Point<Ball>| {
-            region.as_ref().map_or(Truth::Yes, |region| region.contains(point))
+            region
+                .as_ref()
+                .map_or(Truth::Yes, |region| region.contains(point))
         };
-        let mut truth = within(&self.centers, &dyad.center)
-            & within(&self.circlepoints, &dyad.circlepoint);
+        let mut truth =
+            within(&self.centers, &dyad.center) & within(&self.circlepoints, &dyad.circlepoint);
         if self.in_order && !truth.is_no() {
             let places = positions.iter().map(|d| in_kind(d).of(&dyad.circlepoint));
             truth = truth & movability::in_order(&places.collect::<Vec<_>>());
@@ -154,8 +166,10 @@ impl Beside {
     }
     /// Whether the given link is in one place in two of the positions.
     fn stands_still(&self, positions: &[Displacement<Exact>]) -> bool {
-        let places: Vec<Point<Exact>> =
-            positions.iter().map(|d| d.of(&self.given.circlepoint)).collect();
+        let places: Vec<Point<Exact>> = positions
+            .iter()
+            .map(|d| d.of(&self.given.circlepoint))
+            .collect();
         let mut rest = places.as_slice();
         while let Some((first, others)) = rest.split_first() {
             if others.iter().any(|other| first.equals(other).is_yes()) {

@@ -114,7 +114,11 @@ pub fn real_roots(polynomials: &[Polynomial<Exact>]) -> Result<Vec<(RealRoot, us
             0 => Vec::new(),
             _ => isolate_real(factor.polynomial()),
         };
-        roots.extend(intervals.into_iter().map(|interval| RealRoot::new(factor.clone(), interval, 1)));
+        roots.extend(
+            intervals
+                .into_iter()
+                .map(|interval| RealRoot::new(factor.clone(), interval, 1)),
+        );
         coprime.push(factor);
     }
     separate_real(&mut roots);

@@ -187,7 +187,11 @@ mod tests {
     fn it_is_a_field_with_the_root_of_its_radicand() {
         let radicand = P::from_integers(&[3, 0, -1, 0, 2]);
         let [t, s] = Radical::coordinates(&radicand);
-        assert!(s.square().equals(&(2 * t.power(4) - t.square() + 3)).is_yes());
+        assert!(
+            s.square()
+                .equals(&(2 * t.power(4) - t.square() + 3))
+                .is_yes()
+        );
         let x = (&t * &s + 1) / (&s - &t);
         assert!((&x * (&s - &t)).equals(&(&t * &s + 1)).is_yes());
         assert!((&x / &x).equals(&Number::one()).is_yes());
@@ -200,7 +204,10 @@ mod tests {
         // s = t − 1 on s² = t² + 3: at t = −1, where s is −2, the negative root.
         let [t, s] = Radical::coordinates(&P::from_integers(&[3, 0, 1]));
         let norm = (s - t + 1).0.norm().unwrap();
-        assert_eq!(norm.sign_at(&Rational::from(-1)).unwrap(), std::cmp::Ordering::Equal);
+        assert_eq!(
+            norm.sign_at(&Rational::from(-1)).unwrap(),
+            std::cmp::Ordering::Equal
+        );
         assert_eq!(norm.degree(), Some(1));
     }
 }
