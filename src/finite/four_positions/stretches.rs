@@ -117,7 +117,7 @@ impl<'a> Curve<'a> {
         for (place, (root, of)) in real_roots(&limits).ok()?.into_iter().enumerate() {
             let is_linear = limits.get(of)?.degree() == Some(1);
             let of_discriminant = limits.get(of)?.gcd(&discriminant)?;
-            let slope = match root.rational().filter(|_| is_linear) {
+            let slope = match is_linear.then(|| root.rational()).flatten() {
                 Some(t) => Slope::Rational(t),
                 None => Slope::Root(root),
             };
