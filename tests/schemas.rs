@@ -352,10 +352,16 @@ fn stretches_of_centerpoint_curves() {
         }),
     ] {
         let answer = of(tan_half("3/4"), wishes);
-        assert!(!answer["stretches"].as_array().unwrap().is_empty(), "{answer}");
+        assert!(
+            !answer["stretches"].as_array().unwrap().is_empty(),
+            "{answer}"
+        );
     }
     let answer = of(degrees("70"), json!({"in_order": true}));
-    assert!(answer["stretches"].is_null() && answer["undecided"].is_string(), "{answer}");
+    assert!(
+        answer["stretches"].is_null() && answer["undecided"].is_string(),
+        "{answer}"
+    );
 }
 
 #[test]

@@ -302,6 +302,9 @@ fn rows(answer: &Value, positions: &[[Z; 2]]) -> Option<Vec<Row>> {
             .map(|step| {
                 // Not in the places with a meaning.
                 let angle = whole * (step as f64 + 0.37) / STEPS as f64;
+                // The trace turns round in a node, a stretch goes straight on.
+                let turns = kind == CurveType::Nodal && angle > PI;
+                let angle = if turns { 3.0 * PI - angle } else { angle };
                 let point = trace.point(*branch, &z(angle.cos(), angle.sin()));
                 point.coordinates().each_ref().map(|x| x.0)
             })

@@ -29,6 +29,9 @@ pub fn pieces(answer: &Value, cubic: &Cubic<f64>, kind: &str) -> Vec<Vec<Point>>
             let points: Vec<[f64; 3]> = (0..STEPS)
                 .map(|step| {
                     let angle = whole * f64::from(step) / f64::from(STEPS);
+                    // The trace turns round in a node, a stretch goes straight on.
+                    let turns = kind == "nodal" && angle > PI;
+                    let angle = if turns { 3.0 * PI - angle } else { angle };
                     let at = trace.point(branch, &z(angle.cos(), angle.sin()));
                     at.coordinates().each_ref().map(|x| x.0)
                 })
