@@ -3,9 +3,9 @@
 use super::ProblemError;
 use super::input::Fields;
 use super::positions::point;
-use crate::finite::four_positions::congruent_pencils::Dyad;
-use crate::finite::four_positions::wishes::{Beside, Wishes};
 use crate::finite::positions::Positions;
+use crate::finite::stretches::congruent_pencils::Dyad;
+use crate::finite::stretches::wishes::{Beside, Wishes};
 use crate::linkage::passage::Drive;
 use crate::number::{Exact, Number};
 use crate::plane::region_edges::{Region, crosses_itself};

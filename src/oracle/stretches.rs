@@ -5,10 +5,10 @@ use serde_json::{Map, Value, json};
 use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, Request, output};
-use crate::finite::four_positions::congruent_pencils::{CongruentPencils, Dyad};
-use crate::finite::four_positions::stretches::{Spot, Stretch, stretches};
-use crate::finite::four_positions::wishes::Wishes;
 use crate::finite::positions::Positions;
+use crate::finite::stretches::cells::{Spot, Stretch, stretches};
+use crate::finite::stretches::congruent_pencils::{CongruentPencils, Dyad};
+use crate::finite::stretches::wishes::Wishes;
 use crate::number::{Ball, Exact};
 use crate::plane::projective::ProjectivePoint;
 

@@ -11,9 +11,6 @@
 //! - [`loop_closure`]: the crank carried back into its first position, as a determinant.
 
 pub mod circle_conditions;
-pub mod congruent_pencils;
 pub mod isotropic;
 pub mod loop_closure;
-pub mod stretches;
 pub mod viewing_angles;
-pub mod wishes;
