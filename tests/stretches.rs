@@ -19,7 +19,6 @@ use burmester::plane::circular_cubic::Cubic;
 use burmester::plane::curve_type::CurveType;
 use burmester::plane::focal_cubic::FocalCubic;
 use burmester::plane::trace::{Branch, Trace};
-use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::{Value, json};
 use support::{Position, degenerate, four_positions};
@@ -408,9 +407,10 @@ fn compare(positions: &[Position], wishes: &Value) -> [usize; 2] {
             .filter(|stretch| stretch["branch"] == json!(branch));
         let all: Vec<Vec<Verdict>> = of_branch.map(|stretch| covers(stretch, row)).collect();
         for k in 0..STEPS {
-            let inside = all
-                .iter()
-                .fold(Some(false), |any, covered| either(any, covered[k]));
+            let mut inside = Some(false);
+            for covered in &all {
+                inside = either(inside, covered[k]);
+            }
             let [x, y, w] = row.centers[k];
             let center = z(x / w, y / w);
             let Some(circlepoint) = &row.circlepoints[k] else {

@@ -79,11 +79,13 @@ fn part(stretch: &Value, points: &[[f64; 3]]) -> Option<Vec<Point>> {
 
 /// The place of the point that is nearest to one of the answer, finite or not.
 fn nearest(point: &Value, points: &[[f64; 3]]) -> Option<usize> {
-    let distance: Box<dyn Fn(&[f64; 3]) -> f64> = if point.get("at_infinity").is_some() {
-        Box::new(|[x, y, w]| w.abs() / x.hypot(*y))
-    } else {
-        let [u, v] = finite_point(point)?;
-        Box::new(move |[x, y, w]| (x / w - u).hypot(y / w - v))
+    let target = finite_point(point);
+    if target.is_none() && point.get("at_infinity").is_none() {
+        return None;
+    }
+    let distance = |[x, y, w]: &[f64; 3]| match target {
+        Some([u, v]) => (x / w - u).hypot(y / w - v),
+        None => w.abs() / x.hypot(*y),
     };
     let order = |a: &usize, b: &usize| distance(&points[*a]).total_cmp(&distance(&points[*b]));
     (0..points.len()).min_by(order)

@@ -179,7 +179,6 @@ impl fmt::Debug for Radical {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test")]
 mod tests {
     use super::*;
 
