@@ -69,11 +69,14 @@ pub fn sides<T>(corners: &[T]) -> impl Iterator<Item = [&T; 2]> {
 /// How often a polygon goes round a point, 1 for a point on it; `None` where it cannot be told.
 ///
 /// Upward sides that have the point to their left count, and downward ones that have it to their
-/// right, each with its lower end and without its upper one.
+/// right, each with its lower end and without its upper one; corners are looked at for themselves.
 fn winding<K: Real>(corners: &[Point<Exact>], point: &Point<K>) -> Option<i32> {
     let mut number = 0;
     for [a, b] in sides(corners) {
         let [a, b] = [constant::<K>(a), constant::<K>(b)];
+        if a.equals(point).is_yes() {
+            return Some(1);
+        }
         let above = |corner: &Point<K>| Some(corner.im().compare(point.im())?.is_gt());
         let (from_above, to_above) = (above(&a)?, above(&b)?);
         let within =
