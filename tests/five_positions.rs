@@ -24,7 +24,7 @@ type Five = [Position; 5];
 fn isolated(five: &Five) -> Option<Isolated> {
     match pairs(five)? {
         Pairs::Isolated(isolated) => Some(*isolated),
-        Pairs::Families => None,
+        Pairs::Families(_) => None,
     }
 }
 

@@ -436,3 +436,44 @@ fn five_positions() {
         assert_eq!(answer["at_infinity"], json!([]));
     }
 }
+
+/// Slides and turning blocks among the linkages, and wishes.
+#[test]
+fn five_positions_with_wishes() {
+    let tan_half = |text: &str| json!({"tan_half": text});
+    // The origin slides along the x-axis.
+    let along_a_line = [
+        ("0", "0", tan_half("0")),
+        ("3", "0", tan_half("1/5")),
+        ("5", "0", tan_half("1/3")),
+        ("6", "0", tan_half("2/3")),
+        ("2", "0", tan_half("1")),
+    ];
+    let slide = json!({"kind": "center", "circlepoint": [{"exact": "0"}, {"exact": "0"}], "direction": [{"exact": "0"}, {"exact": "1"}]});
+    for wishes in [
+        json!({}),
+        json!({"pivots_within": {"box": [["-9", -9], ["9", "9"]]}, "crank_driven": true}),
+        json!({"pivots_within": {"circle": {"center": ["0", "0"], "radius": "1/2"}}, "in_order": true}),
+        json!({"pivots_within": {"polygon": [["0", "0"], ["1", "0"], ["0", "1"]]}, "without_defects": true,
+            "least_transmission_angle": {"degrees": "45"}}),
+    ] {
+        let problem = json!({"problem": "five-positions", "positions": positions(&along_a_line), "wishes": wishes});
+        let answer = answered("five-positions", problem);
+        assert!(answer.get("undecided").is_none(), "{answer}");
+        assert_eq!(answer["at_infinity"][0], slide, "{answer}");
+        let linkages = answer["linkages"].as_array().unwrap();
+        assert!(
+            linkages
+                .iter()
+                .any(|linkage| linkage["pairs"][1] == json!({"at_infinity": 0})),
+            "{answer}"
+        );
+        assert!(
+            linkages
+                .iter()
+                .all(|linkage| linkage["fulfils"].is_boolean()),
+            "{answer}"
+        );
+        assert!(answer["ranked"].is_array());
+    }
+}

@@ -677,7 +677,7 @@ fn wrong_wishes_are_refused_with_their_place() {
         ),
         (
             json!({"pivots_within": {"polygon": [["0","0"],["2","2"],["2","0"],["0","2"]]}}),
-            "meet in its corners only",
+            "the polygon meets itself",
         ),
         (
             json!({"beside": {"circlepoint": ["1", "0"], "center": ["0", "0"]}}),

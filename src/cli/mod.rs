@@ -1,5 +1,6 @@
 //! The command line: one file per command, each thin.
 
+mod designer;
 mod explain;
 mod outcome;
 mod readable;

@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use super::designer;
+
 /// An answer, a line for each field, with what belongs to it below.
 pub fn answer(answer: &Value) -> String {
     match answer {
@@ -21,7 +23,14 @@ fn block(fields: &Map<String, Value>, depth: usize) -> String {
         .unwrap_or(0);
     fields
         .iter()
-        .map(|(name, value)| field(name, value, width, depth))
+        .map(|(name, value)| {
+            let for_designer = match name.as_str() {
+                "linkages" => designer::linkages(fields, depth),
+                "ranked" => designer::ranked(value, depth),
+                _ => None,
+            };
+            for_designer.unwrap_or_else(|| field(name, value, width, depth))
+        })
         .collect()
 }
 

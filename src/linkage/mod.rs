@@ -6,5 +6,4 @@ pub mod five_bar;
 pub mod focal_mechanism;
 pub mod four_bar;
 pub mod hart;
-pub mod movability;
 pub mod passage;

@@ -2,6 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use rug::Integer;
+
+use super::exact::primitive_integers;
 use super::{Kind, Number, Truth};
 
 /// A basis of the solutions of homogeneous equations, each a row of coefficients. `None` where it
@@ -27,6 +30,62 @@ pub fn kernel<K: Kind>(rows: &[Vec<Number<K>>], unknowns: usize) -> Option<Vec<V
         Some(vector)
     };
     free.map(vector).collect()
+}
+
+/// A basis of the solutions of homogeneous equations with integer coefficients, each of primitive
+/// integers; without fractions (E. H. Bareiss 1968).
+pub fn integer_kernel(rows: &[Vec<Integer>], unknowns: usize) -> Vec<Vec<Integer>> {
+    let mut rows = rows.to_vec();
+    let mut pivots: Vec<usize> = Vec::new();
+    // Every entry is a minor of the rows; those of the pivots, all equal, are the last one of them.
+    let mut last = Integer::from(1);
+    while let Some((place, column)) = first_entry(&rows, pivots.len(), unknowns) {
+        rows.swap(pivots.len(), place);
+        let Some(row) = rows.get(pivots.len()).cloned() else {
+            break;
+        };
+        let Some(pivot) = row.get(column).cloned() else {
+            break;
+        };
+        for (other, entries) in rows.iter_mut().enumerate() {
+            if other == pivots.len() {
+                continue;
+            }
+            let Some(factor) = entries.get(column).cloned() else {
+                continue;
+            };
+            for (entry, term) in entries.iter_mut().zip(&row) {
+                *entry *= &pivot;
+                *entry -= &factor * term;
+                entry.div_exact_mut(&last);
+            }
+        }
+        pivots.push(column);
+        last = pivot;
+    }
+    let free = (0..unknowns).filter(|column| !pivots.contains(column));
+    let vector = |column: usize| {
+        let mut vector = vec![Integer::new(); unknowns];
+        if let Some(entry) = vector.get_mut(column) {
+            entry.clone_from(&last);
+        }
+        for (row, pivot) in rows.iter().zip(&pivots) {
+            if let (Some(entry), Some(target)) = (row.get(column), vector.get_mut(*pivot)) {
+                *target = Integer::from(-entry);
+            }
+        }
+        primitive_integers(vector)
+    };
+    free.map(vector).collect()
+}
+
+fn first_entry(rows: &[Vec<Integer>], from: usize, unknowns: usize) -> Option<(usize, usize)> {
+    let columns = 0..unknowns;
+    let mut places = columns.flat_map(|column| (from..rows.len()).map(move |row| (row, column)));
+    places.find(|(row, column)| {
+        let entry = rows.get(*row).and_then(|row| row.get(*column));
+        entry.is_some_and(|entry| !entry.is_zero())
+    })
 }
 
 /// The first entry that is surely not zero; nothing where all are zero, `None` where that cannot be

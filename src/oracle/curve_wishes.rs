@@ -1,14 +1,14 @@
 //! Reading what a designer wishes of a center and its circlepoint.
 
-use super::ProblemError;
 use super::input::Fields;
 use super::positions::point;
+use super::{ProblemError, regions};
 use crate::finite::positions::Positions;
 use crate::finite::stretches::congruent_pencils::Dyad;
 use crate::finite::stretches::wishes::{Beside, Wishes};
 use crate::linkage::passage::Drive;
 use crate::number::{Exact, Number};
-use crate::plane::region_edges::{Region, crosses_itself};
+use crate::plane::region::Region;
 use crate::plane::{Point, relation};
 
 /// The fields that need a link given beside the one that is sought.
@@ -19,12 +19,12 @@ pub fn read(
     fields: &Fields<'_>,
     positions: Option<&Positions<Exact>>,
 ) -> Result<Option<Wishes>, ProblemError> {
-    let Some(wishes) = fields.object("wishes")? else {
+    let Some(wishes) = fields.optional_object("wishes")? else {
         return Ok(None);
     };
     let known = ["pivots_within", "circlepoints_within", "in_order", "beside"];
     wishes.only(&[&known[..], &OF_LINKAGES].concat())?;
-    let beside = match wishes.object("beside")? {
+    let beside = match wishes.optional_object("beside")? {
         Some(dyad) => Some(beside(&wishes, &dyad, positions)?),
         None => None,
     };
@@ -98,66 +98,14 @@ fn check_circle(
     ))
 }
 
-fn region(wishes: &Fields<'_>, name: &str) -> Result<Option<Region>, ProblemError> {
-    let Some(fields) = wishes.object(name)? else {
-        return Ok(None);
-    };
-    fields.only(&["box", "circle", "polygon"])?;
-    let given: Vec<&str> = ["box", "circle", "polygon"]
-        .into_iter()
-        .filter(|shape| fields.has(shape))
-        .collect();
-    match given.as_slice() {
-        ["box"] => rectangle(&fields),
-        ["circle"] => circle(&fields),
-        ["polygon"] => polygon(&fields),
-        _ => Err(wishes.error(name, "one of box, circle, polygon was expected")),
+/// A region through whose inside a curve can run.
+fn region(wishes: &Fields<'_>, name: &str) -> Result<Option<Region<Exact>>, ProblemError> {
+    let region = regions::read(wishes, name)?;
+    if let Some(Region::Box([p, q])) = &region {
+        let diagonal = p - q;
+        if (diagonal.re() * diagonal.im()).is_zero().is_yes() {
+            return Err(wishes.error(&format!("{name}.box"), "the box has no inside"));
+        }
     }
-    .map(Some)
-}
-
-fn rectangle(fields: &Fields<'_>) -> Result<Region, ProblemError> {
-    let corners = fields.points("box")?;
-    let [[x0, y0], [x1, y1]] = corners.as_slice() else {
-        let message = format!("two opposite corners were expected, not {}", corners.len());
-        return Err(fields.error("box", message));
-    };
-    if x0 == x1 || y0 == y1 {
-        return Err(fields.error("box", "the box has no inside"));
-    }
-    let corner = |x: &rug::Rational, y: &rug::Rational| point(&[x.clone(), y.clone()]);
-    let corners = vec![
-        corner(x0, y0),
-        corner(x1, y0),
-        corner(x1, y1),
-        corner(x0, y1),
-    ];
-    Ok(Region::Polygon(corners))
-}
-
-fn circle(fields: &Fields<'_>) -> Result<Region, ProblemError> {
-    let Some(circle) = fields.object("circle")? else {
-        return Err(fields.error("circle", "this field is missing"));
-    };
-    circle.only(&["center", "radius"])?;
-    Ok(Region::Circle {
-        center: point(&circle.point("center")?),
-        radius: circle.positive("radius")?.into(),
-    })
-}
-
-fn polygon(fields: &Fields<'_>) -> Result<Region, ProblemError> {
-    let corners: Vec<Point<Exact>> = fields.points("polygon")?.iter().map(point).collect();
-    if corners.len() < 3 {
-        let message = format!(
-            "three corners at least were expected, not {}",
-            corners.len()
-        );
-        return Err(fields.error("polygon", message));
-    }
-    if crosses_itself(&corners) {
-        let message = "the sides of a polygon must meet in its corners only";
-        return Err(fields.error("polygon", message));
-    }
-    Ok(Region::Polygon(corners))
+    Ok(region)
 }

@@ -72,7 +72,11 @@ impl<'a> Fields<'a> {
 
     /// Rejects fields that this kind of problem does not have.
     pub fn only(&self, expected: &[&str]) -> Result<(), ProblemError> {
-        let common = ["problem", "id", "note"];
+        let common: &[&str] = if self.place.is_empty() {
+            &["problem", "id", "note"]
+        } else {
+            &[]
+        };
         for name in self.object.keys() {
             if !common.contains(&name.as_str()) && !expected.contains(&name.as_str()) {
                 return Err(self.error(
@@ -84,19 +88,6 @@ impl<'a> Fields<'a> {
         Ok(())
     }
 
-    /// Whether there is such a field.
-    pub fn has(&self, name: &str) -> bool {
-        self.object.contains_key(name)
-    }
-
-    /// An object that may be missing.
-    pub fn object(&self, name: &str) -> Result<Option<Fields<'a>>, ProblemError> {
-        let value = self.object.get(name);
-        value
-            .map(|value| Fields::at(value, &self.path(name)))
-            .transpose()
-    }
-
     /// One of these words; `None` where the field is missing.
     pub fn word(&self, name: &str, words: &[&str]) -> Result<Option<&'a str>, ProblemError> {
         match self.object.get(name) {
@@ -106,7 +97,8 @@ impl<'a> Fields<'a> {
         }
     }
 
-    fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
+    /// The field as it is.
+    pub fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
         self.object
             .get(name)
             .ok_or_else(|| self.error(name, "this field is missing"))
@@ -124,12 +116,19 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A list of points, each a list of two numbers.
-    pub fn points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
-        let read = |(place, value): (usize, &Value)| {
-            point(value, &format!("{}[{place}]", self.path(name)))
-        };
-        self.list(name)?.iter().enumerate().map(read).collect()
+    /// Whether there is such a field.
+    pub fn has(&self, name: &str) -> bool {
+        self.object.contains_key(name)
+    }
+
+    /// An object.
+    pub fn object(&self, name: &str) -> Result<Fields<'a>, ProblemError> {
+        Fields::at(self.get(name)?, &self.path(name))
+    }
+
+    /// An object that may be missing.
+    pub fn optional_object(&self, name: &str) -> Result<Option<Fields<'a>>, ProblemError> {
+        self.has(name).then(|| self.object(name)).transpose()
     }
 
     /// A point, a list of two numbers.
@@ -137,9 +136,17 @@ impl<'a> Fields<'a> {
         point(self.get(name)?, &self.path(name))
     }
 
+    /// A list of points.
+    pub fn points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
+        let places = self.list(name)?.iter().enumerate();
+        places
+            .map(|(place, value)| point(value, &format!("{}[{place}]", self.path(name))))
+            .collect()
+    }
+
     /// The points of a field that may be missing.
     pub fn optional_points(&self, name: &str) -> Result<Vec<[Rational; 2]>, ProblemError> {
-        if self.object.contains_key(name) {
+        if self.has(name) {
             self.points(name)
         } else {
             Ok(Vec::new())
@@ -183,17 +190,22 @@ fn kind(value: &Value) -> &'static str {
     }
 }
 
+/// A list of two numbers.
 fn point(value: &Value, place: &str) -> Result<[Rational; 2], ProblemError> {
     match value {
-        Value::Array(pair) if pair.len() == 2 => {
-            let part = |axis: usize| {
-                number(
-                    pair.get(axis).unwrap_or(&Value::Null),
-                    &format!("{place}[{axis}]"),
-                )
-            };
-            Ok([part(0)?, part(1)?])
-        }
+        Value::Array(pair) => match pair.as_slice() {
+            [x, y] => Ok([
+                number(x, &format!("{place}[0]"))?,
+                number(y, &format!("{place}[1]"))?,
+            ]),
+            list => Err(ProblemError::new(
+                place,
+                format!(
+                    "a point [\"x\", \"y\"] was expected, not a list of {}",
+                    list.len()
+                ),
+            )),
+        },
         other => Err(ProblemError::new(
             place,
             format!("a point [\"x\", \"y\"] was expected, not {}", kind(other)),

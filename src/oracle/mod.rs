@@ -12,10 +12,12 @@ mod numeral;
 mod output;
 mod poles;
 mod positions;
+mod regions;
 mod sharpen;
 mod slider_crank_alternates;
 mod stretches;
 mod three_positions;
+mod wishes;
 
 use serde_json::{Map, Value, json};
 use thiserror::Error;

@@ -5,6 +5,7 @@
 mod angle;
 pub mod circle;
 pub mod circular_cubic;
+pub mod common_part;
 pub mod conic;
 pub mod curve_type;
 pub mod displacement;
@@ -16,7 +17,8 @@ pub mod line;
 pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;
-pub mod region_edges;
+pub mod region;
+mod region_edges;
 pub mod relation;
 pub mod tangents;
 pub mod trace;

@@ -17,6 +17,15 @@ fn start(order: usize, part: usize) -> usize {
     (part + 1..=order).map(|n| n + 1).sum()
 }
 
+impl<K: Kind> From<&Cubic<K>> for Polynomial<K> {
+    fn from(cubic: &Cubic<K>) -> Self {
+        Polynomial {
+            order: 3,
+            coefficients: cubic.coefficients().to_vec(),
+        }
+    }
+}
+
 impl<K: Kind> Polynomial<K> {
     /// a x + b y + c.
     pub fn linear(a: Number<K>, b: Number<K>, c: Number<K>) -> Self {
@@ -34,7 +43,53 @@ impl<K: Kind> Polynomial<K> {
         }
     }
 
-    fn zero(order: usize) -> Self {
+    /// The order, an upper bound of it where the highest terms vanish.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// By falling order j + k, and among those by falling j, as the coefficients of a [`Cubic`].
+    pub fn coefficients(&self) -> &[Number<K>] {
+        &self.coefficients
+    }
+
+    /// All xʲ yᵏ with j + k at most the order.
+    pub fn monomials(order: usize) -> Vec<Self> {
+        let count = start(order, 0) + 1;
+        let monomial = |place: usize| {
+            let mut monomial = Self::zero(order);
+            if let Some(coefficient) = monomial.coefficients.get_mut(place) {
+                *coefficient = Number::one();
+            }
+            monomial
+        };
+        (0..count).map(monomial).collect()
+    }
+
+    /// This times a number.
+    pub fn scaled(&self, factor: &Number<K>) -> Self {
+        Polynomial {
+            order: self.order,
+            coefficients: self.coefficients.iter().map(|c| c * factor).collect(),
+        }
+    }
+
+    /// Whether all coefficients vanish for sure.
+    pub fn is_zero(&self) -> bool {
+        self.coefficients.iter().all(|c| c.is_zero().is_yes())
+    }
+
+    /// The same of the lowest order possible: without the line at infinity as a part.
+    pub fn finite_part(mut self) -> Self {
+        while self.order > 0 && self.part(self.order).iter().all(|c| c.is_zero().is_yes()) {
+            self.coefficients.drain(..=self.order);
+            self.order -= 1;
+        }
+        self
+    }
+
+    /// The polynomial that vanishes everywhere.
+    pub fn zero(order: usize) -> Self {
         Polynomial {
             order,
             coefficients: vec![Number::zero(); start(order, 0) + 1],

@@ -68,12 +68,22 @@ enum Shape {
     Area(Vec<Point>),
 }
 
+/// A part of a page, as wide as the drawing.
+#[derive(Default)]
+pub struct Block {
+    /// What it shows, from the height 0 downwards.
+    pub svg: String,
+    /// How high it is.
+    pub height: f64,
+}
+
 /// A drawing in the making.
 pub struct Canvas {
     title: String,
     description: String,
     shapes: Vec<Shape>,
-    legend: Vec<(Stroke, String)>,
+    legend: Vec<(Option<Stroke>, String)>,
+    below: Block,
     low: Point,
     high: Point,
 }
@@ -91,6 +101,7 @@ impl Canvas {
             description: description.to_owned(),
             shapes: Vec::new(),
             legend: Vec::new(),
+            below: Block::default(),
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
         }
@@ -144,7 +155,17 @@ impl Canvas {
 
     /// A line of the legend.
     pub fn explain(&mut self, stroke: Stroke, text: &str) {
-        self.legend.push((stroke, text.to_owned()));
+        self.legend.push((Some(stroke), text.to_owned()));
+    }
+
+    /// A line of the legend that explains no stroke.
+    pub fn remark(&mut self, text: &str) {
+        self.legend.push((None, text.to_owned()));
+    }
+
+    /// What follows below the legend.
+    pub fn below(&mut self, block: Block) {
+        self.below = block;
     }
 
     /// The drawing as an SVG document.
@@ -156,11 +177,12 @@ impl Canvas {
         let left = (WIDTH - (x1 - x0) * scale) / 2.0;
         let place = |[x, y]: Point| [left + (x - x0) * scale, MARGIN + (y1 - y) * scale];
         let below = height + LINE_HEIGHT * (self.legend.len() as f64 + 1.0);
+        let whole = below + self.below.height;
         let mut svg = String::new();
         // Writing to a string cannot fail.
         let _ = writeln!(
             svg,
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {below:.0}" width="{WIDTH}" height="{below:.0}" role="img" aria-labelledby="title description" font-family="sans-serif">"#
+            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {whole:.0}" width="{WIDTH}" height="{whole:.0}" role="img" aria-labelledby="title description" font-family="sans-serif">"#
         );
         let _ = writeln!(svg, r#"<title id="title">{}</title>"#, escaped(&self.title));
         let _ = writeln!(
@@ -206,16 +228,22 @@ impl Canvas {
         }
         for (row, (stroke, text)) in self.legend.iter().enumerate() {
             let y = height + LINE_HEIGHT * (row as f64 + 0.5);
-            polyline(
-                &mut svg,
-                [[MARGIN, y - 5.0], [MARGIN + 44.0, y - 5.0]].into_iter(),
-                *stroke,
-            );
+            if let Some(stroke) = stroke {
+                let line = [[MARGIN, y - 5.0], [MARGIN + 44.0, y - 5.0]];
+                polyline(&mut svg, line.into_iter(), *stroke);
+            }
             let _ = writeln!(
                 svg,
                 r##"<text x="{}" y="{y}" font-size="15" fill="#263238">{}</text>"##,
                 MARGIN + 56.0,
                 escaped(text)
+            );
+        }
+        if !self.below.svg.is_empty() {
+            let _ = writeln!(
+                svg,
+                r#"<g transform="translate(0 {below:.0})">{}</g>"#,
+                self.below.svg
             );
         }
         svg.push_str("</svg>\n");
@@ -318,7 +346,8 @@ pub fn spread(points: &[Point]) -> f64 {
     least
 }
 
-fn escaped(text: &str) -> String {
+/// Text as SVG has it.
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")

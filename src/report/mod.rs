@@ -4,9 +4,11 @@ mod canvas;
 mod centerpoint_curve;
 mod complex;
 mod contour;
+mod five_positions;
 mod focal_mechanism;
 mod frames;
 mod hart;
+mod linkage_panels;
 mod poles;
 mod stretches;
 mod three_positions;
@@ -18,6 +20,7 @@ use serde_json::Value;
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
         "centerpoint-curve" => centerpoint_curve::picture(problem, answer),
+        "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),
         "poles" => poles::picture(problem, answer),

@@ -1,8 +1,8 @@
 //! The two conics of five positions in coordinates of the plane of solutions.
 
 use super::conditions::{Coordinates, products};
-use crate::number::Kind;
 use crate::number::univariate::Polynomial;
+use crate::number::{Kind, Number};
 
 /// Coordinates e₀ + s e₁ + n e₂ of the solutions: on each line of one s both conics are quadratic
 /// equations in n.
@@ -23,11 +23,24 @@ pub struct Meets<K> {
     pub coordinates: [Polynomial<K>; 7],
 }
 
+/// A line of pairs, and the one meet of the conics beside it.
+#[derive(Clone, Debug)]
+pub struct CommonLine<K> {
+    /// Two of its points.
+    pub through: [Coordinates<K>; 2],
+    /// The meet of what is left of the conics, where it is not on the line.
+    pub beside: Option<Coordinates<K>>,
+}
+
 impl<K: Kind> Chart<K> {
     /// A chart of a number; the first is that of the basis as it is. `None` where both conics pass
     /// through e₂.
     pub fn new(basis: &[Coordinates<K>; 3], seed: i64) -> Option<Self> {
-        let basis = mixed(basis, seed);
+        let basis = if seed == 0 {
+            basis.clone()
+        } else {
+            mixed(basis, seed)
+        };
         let [e0, e1, e2] = &basis;
         let form = |which: usize, u: &Coordinates<K>, v: &Coordinates<K>| {
             let [first, second] = products(u, v);
@@ -58,6 +71,56 @@ impl<K: Kind> Chart<K> {
             coordinates: self.coordinates(&first, &second),
             second,
         }
+    }
+
+    /// A line that both conics have in common, where all that [`meets`](Self::meets) finds is zero;
+    /// `None` where they are one conic, and where the meet beside the line is not on a line of one s.
+    ///
+    /// On it A n² + Bn + C = (n − ℓ(s)) (A n + B + A ℓ(s)), with the n that solves both equations.
+    pub fn common_line(&self) -> Option<CommonLine<K>> {
+        let [[a, b, c], [a1, b1, c1]] = &self.conics;
+        let first = a * c1 - a1 * c;
+        let second = a * b1 - a1 * b;
+        if second.degree() != Some(1) {
+            return None;
+        }
+        let (quotient, _) = first.divide(&second)?;
+        let along = quotient.scaled(&Number::from(-1));
+        let s = -(second.coefficient(0) / second.coefficient(1));
+        let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
+        let n = -((b + a * &along).evaluate(&s) / a.coefficient(0));
+        let beside = !along.evaluate(&s).equals(&n).is_yes();
+        let at = |s: i64| self.point(&s.into(), &along.evaluate(&s.into()));
+        Some(CommonLine {
+            through: [at(0), at(1)],
+            beside: beside.then(|| self.point(&s, &n)),
+        })
+    }
+
+    /// The only meet of two conics that both have their double point there: on every line through it
+    /// both equations have it as a double root, so that no chart tells it from two. `None` where that
+    /// is not so in this chart.
+    pub fn common_vertex(&self, meets: &Meets<K>) -> Option<(Number<K>, Coordinates<K>)> {
+        let second = &meets.second;
+        if second.degree() != Some(1) || meets.resultant.degree() != Some(4) {
+            return None;
+        }
+        let s = -(second.coefficient(0) / second.coefficient(1));
+        let power = Polynomial::linear(&s)
+            .power(4)
+            .scaled(meets.resultant.leading()?);
+        if !(power - &meets.resultant).is_zero() {
+            return None;
+        }
+        let [[a, b, _], [a1, b1, _]] = &self.conics;
+        let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
+        let n = -(b.evaluate(&s) / (2 * a.coefficient(0)));
+        Some((s.clone(), self.point(&s, &n)))
+    }
+
+    fn point(&self, s: &Number<K>, n: &Number<K>) -> Coordinates<K> {
+        let [e0, e1, e2] = &self.basis;
+        std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
     }
 
     /// second (e₀ + s e₁) − first e₂.

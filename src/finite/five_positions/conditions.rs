@@ -55,6 +55,21 @@ pub fn products<K: Kind>(left: &Coordinates<K>, right: &Coordinates<K>) -> [Numb
     ]
 }
 
+/// The coordinates of a circlepoint in the moving plane and its center in the fixed one.
+pub fn of_pair<K: Kind>(circlepoint: &Point<K>, center: &Point<K>) -> Coordinates<K> {
+    let [_, _, _, cx, cy, p, q] = of_slide(circlepoint, center);
+    let (x, y) = (circlepoint.re().clone(), circlepoint.im().clone());
+    [Number::one(), x, y, cx, cy, p, q]
+}
+
+/// The coordinates of a circlepoint whose center is at infinity in a direction.
+pub fn of_slide<K: Kind>(circlepoint: &Point<K>, towards: &Point<K>) -> Coordinates<K> {
+    let product = circlepoint * towards.conj();
+    let none = Number::zero;
+    let [cx, cy, p, q] = [towards.re(), towards.im(), product.re(), product.im()].map(Clone::clone);
+    [none(), none(), none(), cx, cy, p, q]
+}
+
 /// A circlepoint in the moving plane and its center in the fixed one, of coordinates with h ≠ 0.
 pub fn finite_pair<K: Kind>(coordinates: &Coordinates<K>) -> [Point<K>; 2] {
     let [h, x, y, cx, cy, ..] = coordinates;

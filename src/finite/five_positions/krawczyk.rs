@@ -12,8 +12,27 @@ pub fn holds_one_pair(
     [z, m]: [&Point<Ball>; 2],
     bits: u32,
 ) -> bool {
-    test(positions, [z, m], bits).unwrap_or(false)
+    // Boxes that are much larger than the enclosures will do, so that few bits mostly suffice.
+    let mut few = FIRST_BITS.min(bits);
+    loop {
+        let short = |x: &Number<Ball>| Number(x.0.with_precision(few));
+        let point = |z: &Point<Ball>| Number::complex(short(z.re()), short(z.im()));
+        let rounded = positions.each_ref().map(|position| Displacement {
+            rotation: point(&position.rotation),
+            translation: point(&position.translation),
+        });
+        if test(&rounded, [&point(z), &point(m)], few).unwrap_or(false) {
+            return true;
+        }
+        if few >= bits {
+            return false;
+        }
+        few = few.saturating_mul(2).min(bits);
+    }
 }
+
+/// Bits that are tried first.
+const FIRST_BITS: u32 = 128;
 
 type Vector = [Number<Ball>; 4];
 type Matrix = [Vector; 4];

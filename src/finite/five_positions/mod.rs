@@ -6,13 +6,21 @@
 //!   products of them,
 //! - [`conics`]: the solutions of these in a projective plane, where the two products make two
 //!   conics; their four meets, with an eliminant in which no point is lost,
-//! - [`enclosed`]: the same where the positions are enclosures,
+//! - [`circlepoint_curves`]: the meets of two circlepoint curves,
+//! - [`loop_closure`]: a link whose turns close the loops,
+//! - [`enclosed`]: the conics where the positions are enclosures,
+//! - [`floats`]: the conics in machine floats,
 //! - [`families`]: what there is where the pairs are infinitely many,
+//! - [`conditioning`]: how much a pair moves with the positions,
 //! - [`krawczyk`]: the judge, an interval test on the original conditions.
 
 pub mod chart;
+pub mod circlepoint_curves;
+pub mod conditioning;
 pub mod conditions;
 pub mod conics;
 pub mod enclosed;
 pub mod families;
+pub mod floats;
 pub mod krawczyk;
+pub mod loop_closure;

@@ -55,17 +55,6 @@ pub struct Dyad<P> {
 /// The line of both pencils with the slope t = y/x, by x and y.
 pub type Slope<K> = [Number<K>; 2];
 
-/// A rational number in another kind, where it is exact.
-pub fn constant<K: Kind>(x: &Number<Exact>) -> Number<K> {
-    let q = x.0.rational();
-    q.map_or_else(|| Number::zero().inverse(), |q| Number::from(q.clone()))
-}
-
-/// A rational point in another kind.
-pub fn constant_point<K: Kind>(z: &Point<Exact>) -> Point<K> {
-    Number::complex(constant(z.re()), constant(z.im()))
-}
-
 fn scalar(x: &Point<Exact>, y: &Point<Exact>) -> Number<Exact> {
     (x.conj() * y).re().clone()
 }
@@ -97,10 +86,10 @@ impl Pencil {
 
     /// r as a fraction: (−β|η|²q + ks)/2|η|²qL, which is also 2N/−(β|η|²q + ks).
     fn roots<K: Kind>(&self, [x, y]: &Slope<K>, s: &Number<K>) -> [[Number<K>; 2]; 2] {
-        let at = |[a, b]: &[Number<Exact>; 2]| constant::<K>(a) * x + constant::<K>(b) * y;
-        let h = constant::<K>(&self.base.norm()) * (x.square() + y.square());
-        let middle = constant::<K>(&self.beta) * &h;
-        let root = constant::<K>(&self.k) * s;
+        let at = |[a, b]: &[Number<Exact>; 2]| a.in_kind::<K>() * x + b.in_kind::<K>() * y;
+        let h = self.base.norm().in_kind::<K>() * (x.square() + y.square());
+        let middle = self.beta.in_kind::<K>() * &h;
+        let root = self.k.in_kind::<K>() * s;
         [
             [&root - &middle, 2 * h * at(&self.l)],
             [2 * at(&self.n), -(root + middle)],
@@ -109,17 +98,17 @@ impl Pencil {
 
     fn with_root<K: Kind>(&self, [x, y]: &Slope<K>, root: &[Number<K>; 2]) -> ProjectivePoint<K> {
         let [r, w] = root;
-        let line = constant_point::<K>(&self.base) * Number::complex(x.clone(), y.clone());
-        let point = constant_point::<K>(&self.focus).scaled(w) + line.scaled(r);
+        let line = self.base.in_kind::<K>() * Number::complex(x.clone(), y.clone());
+        let point = self.focus.in_kind::<K>().scaled(w) + line.scaled(r);
         ProjectivePoint::new(point.re().clone(), point.im().clone(), w.clone())
     }
 
     /// The point for a line and a root.
     fn point<K: Real>(&self, slope: &Slope<K>, s: &Number<K>) -> ProjectivePoint<K> {
         let [first, second] = self.roots(slope, s);
-        let root = constant::<K>(&self.k) * s;
+        let root = self.k.in_kind::<K>() * s;
         // That sum is taken which loses nothing; for s = 0 that which is not zero twice.
-        let use_second = match (constant::<K>(&self.beta).sign(), root.sign()) {
+        let use_second = match (self.beta.in_kind::<K>().sign(), root.sign()) {
             (Some(Ordering::Equal), Some(Ordering::Equal)) => first[1].is_zero().is_yes(),
             (Some(beta), Some(root)) if beta.is_ne() && root.is_ne() => beta == root,
             _ => false,
@@ -199,7 +188,10 @@ impl CongruentPencils {
 
     /// s² for a line.
     pub fn square<K: Kind>(&self, [x, y]: &Slope<K>) -> Number<K> {
-        let [a, b, c] = self.discriminant.each_ref().map(constant::<K>);
+        let [a, b, c] = self
+            .discriminant
+            .each_ref()
+            .map(Number::<Exact>::in_kind::<K>);
         (a * x.square() + b * x * y + c * y.square()) * (x.square() + y.square())
     }
 
@@ -264,8 +256,8 @@ impl CongruentPencils {
 /// A rational displacement in another kind.
 pub fn in_kind<K: Kind>(position: &Displacement<Exact>) -> Displacement<K> {
     Displacement {
-        rotation: constant_point(&position.rotation),
-        translation: constant_point(&position.translation),
+        rotation: position.rotation.in_kind(),
+        translation: position.translation.in_kind(),
     }
 }
 

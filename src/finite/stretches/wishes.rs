@@ -2,22 +2,21 @@
 
 use std::cmp::Ordering;
 
-use super::congruent_pencils::{CongruentPencils, Dyad, constant_point, in_kind};
+use super::congruent_pencils::{CongruentPencils, Dyad, in_kind};
 use crate::finite::positions::Positions;
-use crate::linkage::movability;
-use crate::linkage::passage::{Drive, Passage};
-use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Truth};
-use crate::plane::Point;
+use crate::linkage::passage::{Drive, Joint, Passage, Type, is_in_order};
+use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Real, Truth};
 use crate::plane::displacement::Displacement;
-use crate::plane::region_edges::Region;
+use crate::plane::region::Region;
+use crate::plane::{Point, relation};
 
 /// All wishes; what is not wished is missing or false.
 #[derive(Clone, Debug, Default)]
 pub struct Wishes {
     /// Where the center may be, in the fixed plane.
-    pub centers: Option<Region>,
+    pub centers: Option<Region<Exact>>,
     /// Where the circlepoint may be, in the moving plane.
-    pub circlepoints: Option<Region>,
+    pub circlepoints: Option<Region<Exact>>,
     /// The link turns through the positions 1, 2, 3, 4 in one direction within one turn.
     pub in_order: bool,
     /// A link that is given beside the one that is sought.
@@ -36,12 +35,6 @@ pub struct Beside {
     /// All positions are on one circuit and between the same dead centres of the driving link, which
     /// passes them in order, one way or the other.
     pub without_defects: bool,
-}
-
-fn equal(signs: Option<Vec<Ordering>>) -> Truth {
-    signs.map_or(Truth::Unknown, |signs| {
-        signs.windows(2).all(|pair| pair[0] == pair[1]).into()
-    })
 }
 
 impl Wishes {
@@ -71,18 +64,18 @@ impl Wishes {
         let dyad = pencils.functions()?;
         let mut functions: Vec<Number<Radical>> = Vec::new();
         if let Some(region) = &self.centers {
-            functions.extend(region.edges(&dyad.center));
+            functions.extend(region.in_kind().edges(&dyad.center));
         }
         if let Some(region) = &self.circlepoints {
-            functions.extend(region.edges(&dyad.circlepoint));
+            functions.extend(region.in_kind().edges(&dyad.circlepoint));
         }
         if let Some(beside) = &self.beside {
             let passage = beside.passage(positions.displacements(), &dyad, |x| x);
             if beside.crank_driven || beside.without_defects {
-                functions.extend(movability::limits_of_turning(&passage));
+                functions.push(passage.limit_of_type()?);
             }
             if beside.without_defects {
-                functions.extend(movability::limits_of_sides(&passage));
+                functions.extend(passage.limits_of_sides());
             }
         }
         for function in functions {
@@ -101,16 +94,16 @@ impl Wishes {
         dyad: &Dyad<Point<Ball>>,
         bits: u32,
     ) -> Truth {
-        let within = |region: &Option<Region>, point: &Point<Ball>| {
+        let within = |region: &Option<Region<Exact>>, point: &Point<Ball>| {
             region
                 .as_ref()
-                .map_or(Truth::Yes, |region| region.contains(point))
+                .map_or(Truth::Yes, |region| region.in_kind().contains(point))
         };
         let mut truth =
             within(&self.centers, &dyad.center) & within(&self.circlepoints, &dyad.circlepoint);
         if self.in_order && !truth.is_no() {
             let places = positions.iter().map(|d| in_kind(d).of(&dyad.circlepoint));
-            truth = truth & movability::in_order(&places.collect::<Vec<_>>());
+            truth = truth & one_way(&places.collect::<Vec<_>>());
         }
         match &self.beside {
             Some(beside) if !truth.is_no() => truth & beside.fulfilled(positions, dyad, bits),
@@ -126,13 +119,14 @@ impl Beside {
         sought: &Dyad<Point<K>>,
         round: impl Fn(Point<K>) -> Point<K>,
     ) -> Passage<K> {
-        let given = constant_point::<K>(&self.given.circlepoint);
+        let joints = |pair: [Point<K>; 2]| pair.map(|point| Joint::At(round(point)));
+        let given = self.given.circlepoint.in_kind::<K>();
         let places = |position: &Displacement<Exact>| {
             let position = in_kind::<K>(position);
-            [position.of(&given), position.of(&sought.circlepoint)].map(&round)
+            joints([position.of(&given), position.of(&sought.circlepoint)])
         };
         Passage {
-            pivots: [constant_point(&self.given.center), sought.center.clone()].map(&round),
+            pivots: joints([self.given.center.in_kind(), sought.center.clone()]),
             joints: positions.iter().map(places).collect(),
         }
     }
@@ -149,21 +143,39 @@ impl Beside {
             Number::complex(part(point.re()), part(point.im()))
         };
         let passage = self.passage(positions, sought, round);
+        let known = |value: Option<bool>| value.map_or(Truth::Unknown, Truth::from);
+        // In a change point, and there only, a link that turns fully does not turn freely.
+        let turns_fully = passage
+            .link_type()
+            .zip(passage.is_crank(self.drive))
+            .map(|(link_type, is_crank)| is_crank && link_type != Type::ChangePoint);
         let mut truth = Truth::Yes;
-        if self.without_defects && self.drive == Drive::First && self.stands_still(positions) {
-            return Truth::No;
-        }
         if self.crank_driven {
-            truth = movability::drive_turns(&passage, self.drive);
+            truth = known(turns_fully);
         }
         if self.without_defects && !truth.is_no() {
-            truth = truth
-                & movability::is_one_circuit(&passage)
-                & equal(passage.assembly(self.drive))
-                & movability::passes_in_order(&passage, self.drive);
+            truth = truth & known(self.passes(&passage, turns_fully, positions));
         }
         truth
     }
+
+    /// Whether the driving link reaches all positions without a dead centre, one after the other.
+    fn passes(
+        &self,
+        passage: &Passage<Ball>,
+        turns_fully: Option<bool>,
+        positions: &[Displacement<Exact>],
+    ) -> Option<bool> {
+        if self.drive == Drive::First && self.stands_still(positions) {
+            return Some(false);
+        }
+        let reaches_all = passage.branch(self.drive)?.into_iter().all(|one| one);
+        if !reaches_all {
+            return Some(false);
+        }
+        Some(is_in_order(&passage.order(self.drive)?, turns_fully?))
+    }
+
     /// Whether the given link is in one place in two of the positions.
     fn stands_still(&self, positions: &[Displacement<Exact>]) -> bool {
         let places: Vec<Point<Exact>> = positions
@@ -179,4 +191,21 @@ impl Beside {
         }
         false
     }
+}
+
+/// Whether three or more points of a circle are passed one after the other by one turn, one way or the
+/// other: the triangles of the first one and two neighbours turn alike. Not where two coincide.
+fn one_way<K: Real>(places: &[Point<K>]) -> Truth {
+    let Some((first, rest)) = places.split_first() else {
+        return Truth::Yes;
+    };
+    let turns: Vec<Option<Ordering>> = rest
+        .windows(2)
+        .map(|pair| relation::twice_area(first, &pair[0], &pair[1]).sign())
+        .collect();
+    let all = |wanted: Ordering| {
+        let is = |sign: &Option<Ordering>| Truth::of_sign(*sign, |sign| sign == wanted);
+        Truth::all(turns.iter().map(is))
+    };
+    all(Ordering::Less) | all(Ordering::Greater)
 }

@@ -1,6 +1,7 @@
 //! Balls as sets of real numbers: bounds, membership, intersection.
 
-use rug::{Float, Rational};
+use rug::float::Round;
+use rug::{Float, Integer, Rational};
 
 use super::enclosure::Enclosure;
 use super::radius::Radius;
@@ -13,6 +14,38 @@ impl Ball {
         let mut result = Enclosure::from_rational(mid, sane_precision(bits));
         result.radius = result.radius.plus(Radius::above_rational(radius));
         Ball::from(result)
+    }
+
+    /// A finite float, exactly.
+    pub(in crate::number) fn exactly(mid: Float) -> Ball {
+        Ball::from(Enclosure {
+            mid,
+            radius: Radius::ZERO,
+        })
+    }
+
+    /// An integer, rounded to so many bits.
+    pub(in crate::number) fn of_integer(integer: &Integer, bits: u32) -> Ball {
+        let rounded = Float::with_val_round(sane_precision(bits), integer, Round::Nearest);
+        Ball::from(Enclosure::from_rounded(rounded))
+    }
+
+    /// All numbers within 2^power of a finite float.
+    pub(in crate::number) fn around(mid: Float, power: i64) -> Ball {
+        Ball::from(Enclosure {
+            mid,
+            radius: Radius::power_of_two(power),
+        })
+    }
+
+    /// An e with |x| < 2^e for all numbers of the ball; `None` where nothing is known.
+    pub(in crate::number) fn magnitude(&self) -> Option<i64> {
+        match &self.0 {
+            Content::NoValue => None,
+            Content::Constant(c) => Some(Radius::above_rational(&c.to_rational()).exponent()),
+            Content::Enclosure(ball) if ball.radius.is_infinite() => None,
+            Content::Enclosure(ball) => Some(Radius::above(&ball.mid).plus(ball.radius).exponent()),
+        }
     }
 
     /// The midpoint; of a constant the constant. `None` where there is no value or nothing is

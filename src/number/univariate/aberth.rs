@@ -2,68 +2,13 @@
 //! is a proposal that discs then prove.
 
 use rug::Float;
-use rug::ops::NegAssign;
 
+use super::floats;
 use super::integer::IntegerPolynomial;
+use super::point::Point;
 
 /// Rounds of one precision beside those that clusters need.
 const ROUNDS: u32 = 60;
-
-/// A complex number.
-#[derive(Clone, Debug)]
-pub(super) struct Point {
-    pub re: Float,
-    pub im: Float,
-}
-
-impl Point {
-    fn zero(bits: u32) -> Point {
-        Point {
-            re: Float::new(bits),
-            im: Float::new(bits),
-        }
-    }
-
-    fn add(&mut self, other: &Point) {
-        self.re += &other.re;
-        self.im += &other.im;
-    }
-
-    fn minus(&self, other: &Point, bits: u32) -> Point {
-        Point {
-            re: Float::with_val(bits, &self.re - &other.re),
-            im: Float::with_val(bits, &self.im - &other.im),
-        }
-    }
-
-    fn times(&self, other: &Point, bits: u32) -> Point {
-        Point {
-            re: Float::with_val(bits, &self.re * &other.re - &self.im * &other.im),
-            im: Float::with_val(bits, &self.re * &other.im + &self.im * &other.re),
-        }
-    }
-
-    fn norm(&self, bits: u32) -> Float {
-        Float::with_val(bits, &self.re * &self.re + &self.im * &self.im)
-    }
-
-    fn inverse(mut self, bits: u32) -> Point {
-        let norm = self.norm(bits);
-        self.re /= &norm;
-        self.im /= norm;
-        self.im.neg_assign();
-        self
-    }
-
-    fn is_finite(&self) -> bool {
-        self.re.is_finite() && self.im.is_finite()
-    }
-
-    /// An upper bound of |z|, at most √2 too large.
-    fn size(&self) -> Float {
-        Float::with_val(32, self.re.abs_ref()) + Float::with_val(32, self.im.abs_ref())
-    }
-}
 
 /// Approximations of all roots, improved in place.
 pub(super) struct Approximations {
@@ -75,27 +20,31 @@ pub(super) struct Approximations {
 impl Approximations {
     /// Points on circles that the Newton polygon of the coefficients suggests (D. A. Bini 1996).
     pub fn start(p: &IntegerPolynomial, bits: u32) -> Self {
-        let mut points = Vec::with_capacity(p.degree());
-        let corners = newton_polygon(p);
-        // The polygon starts at the first coefficient that is not zero: below it are roots 0.
-        let zeros = corners.first().map_or(0, |(power, _)| *power);
-        points.resize_with(zeros, || Point::zero(bits));
-        for (ring, sides) in corners.windows(2).enumerate() {
-            let [(first, high), (last, low)] = [sides[0], sides[1]];
-            let count = last - first;
-            let log_radius = (high - low) / count as f64;
-            let radius = Float::with_val(bits, log_radius).exp2();
-            for j in 0..count {
-                let angle =
-                    std::f64::consts::TAU * (j as f64 / count as f64) + 0.7 + 0.31 * ring as f64;
-                points.push(Point {
+        let sizes: Vec<Option<f64>> = p.coefficients().iter().map(log2).collect();
+        let points = starting_points(&sizes)
+            .into_iter()
+            .map(|(log_radius, angle)| {
+                let radius = Float::with_val(bits, log_radius).exp2();
+                Point {
                     re: Float::with_val(bits, &radius * angle.cos()),
                     im: Float::with_val(bits, &radius * angle.sin()),
-                });
-            }
-        }
+                }
+            });
+        // The polygon starts at the first coefficient that is not zero: below it are roots 0.
+        let zeros = sizes.iter().take_while(|size| size.is_none()).count();
+        let zeros = (0..zeros).map(|_| Point::zero(bits));
+        let points: Vec<Point> = zeros.chain(points).collect();
         let settled = vec![false; points.len()];
         Approximations { points, settled }
+    }
+
+    /// The same, first improved in machine floats.
+    pub fn from_floats(p: &IntegerPolynomial, bits: u32) -> Self {
+        let mut approximations = Self::start(p, bits);
+        if let Some(points) = floats::improved(p, &approximations.points) {
+            approximations.points = points;
+        }
+        approximations
     }
 
     /// Iterates with so many bits until no point gets better.
@@ -186,14 +135,30 @@ fn evaluate(coefficients: &[Float], z: &Point, bits: u32) -> Values {
     }
 }
 
-/// The corners of the upper hull of the points (power, log₂ |coefficient|).
-fn newton_polygon(p: &IntegerPolynomial) -> Vec<(usize, f64)> {
-    let mut hull: Vec<(usize, f64)> = Vec::new();
-    for (power, c) in p.coefficients().iter().enumerate() {
-        if c.is_zero() {
-            continue;
+/// log₂ of the distance from 0, and the angle, of points from which the roots that are not 0 are
+/// found, from log₂ of the coefficients; nothing for one that vanishes.
+pub(super) fn starting_points(sizes: &[Option<f64>]) -> Vec<(f64, f64)> {
+    let corners = newton_polygon(sizes);
+    let mut points = Vec::with_capacity(sizes.len());
+    for (ring, sides) in corners.windows(2).enumerate() {
+        let [(first, high), (last, low)] = [sides[0], sides[1]];
+        let count = last - first;
+        let log_radius = (high - low) / count as f64;
+        for j in 0..count {
+            let angle =
+                std::f64::consts::TAU * (j as f64 / count as f64) + 0.7 + 0.31 * ring as f64;
+            points.push((log_radius, angle));
         }
-        let next = (power, log2(c));
+    }
+    points
+}
+
+/// The corners of the upper hull of the points (power, log₂ |coefficient|).
+fn newton_polygon(sizes: &[Option<f64>]) -> Vec<(usize, f64)> {
+    let mut hull: Vec<(usize, f64)> = Vec::new();
+    for (power, size) in sizes.iter().enumerate() {
+        let Some(size) = size else { continue };
+        let next = (power, *size);
         while let [.., a, b] = hull.as_slice() {
             let slope =
                 |from: &(usize, f64), to: &(usize, f64)| (to.1 - from.1) / (to.0 - from.0) as f64;
@@ -207,8 +172,8 @@ fn newton_polygon(p: &IntegerPolynomial) -> Vec<(usize, f64)> {
     hull
 }
 
-fn log2(c: &rug::Integer) -> f64 {
+fn log2(c: &rug::Integer) -> Option<f64> {
     let exponent = c.significant_bits();
     let mantissa = Float::with_val(53, c) >> exponent;
-    mantissa.to_f64().abs().log2() + f64::from(exponent)
+    (!c.is_zero()).then(|| mantissa.to_f64().abs().log2() + f64::from(exponent))
 }

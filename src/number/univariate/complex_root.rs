@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
-use rug::Rational;
+use rug::{Float, Rational};
 
 use super::descartes::times_power_of_two;
 use super::factor::{Factor, log2_above, log2_below};
+use super::point::Point;
+use super::polish;
+use super::proof::{FEW_BITS, root_within};
 use crate::number::{Ball, Complex, Number, Real};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -41,7 +44,7 @@ impl Disc {
             Number::<Ball>::rounded(&re, &bits),
             Number::<Ball>::rounded(&im, &bits),
         );
-        let step = factor.newton_step(&z, bits);
+        let step = factor.value(&z, bits) / factor.slope(&z, bits);
         let mut bound = largest(step.re())? + largest(step.im())?;
         bound *= factor.degree() as u64;
         if !bound.is_zero() {
@@ -133,9 +136,51 @@ impl ComplexRoot {
 
     /// Balls around the real and the imaginary part, each with a radius of at most 2^−bits |root|.
     pub fn enclosure(&self, bits: u32) -> Number<Complex<Ball>> {
+        if let Some(found) = self.leap(bits) {
+            return found;
+        }
         let mut root = self.clone();
         root.refine(bits.saturating_add(2));
         square(&root.disc, bits.saturating_add(8))
+    }
+
+    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    fn leap(&self, bits: u32) -> Option<Number<Complex<Ball>>> {
+        let disc = &self.disc;
+        let known = disc.relative_bits().clamp(0, i64::from(bits));
+        let known = u32::try_from(known).ok()?;
+        let start = Point {
+            re: Float::with_val(known + GUARD_BITS, &disc.re),
+            im: Float::with_val(known + GUARD_BITS, &disc.im),
+        };
+        let to = bits.checked_add(16)?;
+        let near = polish::complex(self.factor.polynomial(), start, known, to);
+        if !near.is_finite() {
+            return None;
+        }
+        let precision = to.checked_add(GUARD_BITS)?;
+        let reach = root_within(
+            &self.factor.in_balls(precision),
+            &self.factor.slope_in_balls(FEW_BITS),
+            &near,
+        )?;
+        let size = i64::from(near.re.get_exp().max(near.im.get_exp())?) - 1;
+        let around = |part: &Float, bits: u32| {
+            Number(Ball::around(part.clone(), reach).with_precision(bits))
+        };
+        let wide = known + GUARD_BITS;
+        let ball = |part: &Rational| Number::<Ball>::rounded(part, &wide);
+        let x = around(&near.re, wide) - ball(&disc.re);
+        let y = around(&near.im, wide) - ball(&disc.im);
+        let inside = (ball(&disc.radius).square() - x.square() - y.square()).is_positive();
+        if !inside.is_yes() || reach >= size - i64::from(bits) {
+            return None;
+        }
+        let bits = bits.saturating_add(8);
+        Some(Number::complex(
+            around(&near.re, bits),
+            around(&near.im, bits),
+        ))
     }
 
     /// Narrows the isolating disc to a radius of at most 2^−bits |root|.

@@ -27,6 +27,16 @@ impl Interval {
         }
     }
 
+    /// From a center and a bound for the distance of the only root near it: twice as wide, so that
+    /// neither end is a root.
+    pub fn around(center: &Rational, radius: &Rational) -> Interval {
+        let margin = Rational::from(radius << 1);
+        Interval {
+            low: Rational::from(center - &margin),
+            high: Rational::from(center + &margin),
+        }
+    }
+
     fn mirrored(self) -> Interval {
         Interval {
             low: -self.high,

@@ -71,10 +71,24 @@ impl Factor {
         }
     }
 
-    /// p(z)/p′(z).
-    pub fn newton_step(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
-        let value = in_balls(&self.polynomial, bits).evaluate_complex(z);
-        value / in_balls(&self.derivative, bits).evaluate_complex(z)
+    /// p(z).
+    pub fn value(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
+        in_balls(&self.polynomial, bits).evaluate_complex(z)
+    }
+
+    /// p′(z).
+    pub fn slope(&self, z: &Number<Complex<Ball>>, bits: u32) -> Number<Complex<Ball>> {
+        in_balls(&self.derivative, bits).evaluate_complex(z)
+    }
+
+    /// The polynomial in balls of so many bits.
+    pub fn in_balls(&self, bits: u32) -> Polynomial<Ball> {
+        in_balls(&self.polynomial, bits)
+    }
+
+    /// The derivative in balls of so many bits.
+    pub fn slope_in_balls(&self, bits: u32) -> Polynomial<Ball> {
+        in_balls(&self.derivative, bits)
     }
 }
 
@@ -82,7 +96,7 @@ fn in_balls(p: &IntegerPolynomial, bits: u32) -> Polynomial<Ball> {
     let coefficients = p.coefficients().iter();
     Polynomial::new(
         coefficients
-            .map(|c| Number::rounded(&Rational::from(c), &bits))
+            .map(|c| Number(Ball::of_integer(c, bits)))
             .collect(),
     )
 }

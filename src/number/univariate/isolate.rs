@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use rug::{Float, Rational};
 
-use super::aberth::{Approximations, Point};
+use super::aberth::Approximations;
 use super::complex_root::{ComplexRoot, Disc};
-use super::descartes::isolate_real;
+use super::descartes::{Interval, isolate_real};
 use super::factor::Factor;
 use super::integer::IntegerPolynomial;
+use super::point::Point;
 use super::real_root::RealRoot;
 use super::{Polynomial, RootError, chain, square_free};
 use crate::number::{Ball, Complex, Exact, Number};
@@ -71,9 +72,7 @@ pub fn isolate(polynomial: &Polynomial<Exact>) -> Result<Roots, RootError> {
     };
     for (factor, multiplicity) in square_free::decompose(&primitive) {
         let factor = Arc::new(Factor::new(factor));
-        let real = isolate_real(factor.polynomial());
-        let couples = (factor.degree() - real.len()) / 2;
-        let complex = isolate_complex(&factor, couples)?;
+        let (real, complex) = isolate_simple(&factor)?;
         roots.real.extend(
             real.into_iter()
                 .map(|interval| RealRoot::new(factor.clone(), interval, multiplicity)),
@@ -130,14 +129,69 @@ pub fn real_roots(polynomials: &[Polynomial<Exact>]) -> Result<Vec<(RealRoot, us
     Ok(placed.collect())
 }
 
+/// Intervals for the real roots, ascending, and discs for those above the real axis, of simple roots.
+fn isolate_simple(factor: &Factor) -> Result<(Vec<Interval>, Vec<Disc>), RootError> {
+    let polynomial = factor.polynomial();
+    let bits = 64 + 2 * factor.degree() as u32;
+    let approximations = Approximations::from_floats(polynomial, bits);
+    if let Some(found) = proven_at_once(factor, &approximations.points, bits) {
+        return Ok(found);
+    }
+    let real = isolate_real(polynomial);
+    let couples = (factor.degree() - real.len()) / 2;
+    let complex = isolate_complex(factor, couples, approximations, bits)?;
+    Ok((real, complex))
+}
+
+/// Real and complex roots at once, where the points are good enough: as many discs as roots, disjoint,
+/// and each surely with a root, have one each; where the center is real, so is the root, for its
+/// conjugate lies in the same disc.
+fn proven_at_once(
+    factor: &Factor,
+    points: &[Point],
+    bits: u32,
+) -> Option<(Vec<Interval>, Vec<Disc>)> {
+    let mut intervals = Vec::new();
+    let mut above = Vec::new();
+    let mut all = Vec::with_capacity(points.len());
+    for point in points.iter().filter(|point| point.im >= 0) {
+        let [re, im] = [&point.re, &point.im].map(Float::to_rational);
+        let (disc, _) = Disc::around(factor, re?, im?, bits + 16)?;
+        if point.im.is_zero() {
+            intervals.push(Interval::around(&disc.re, &disc.radius));
+        } else {
+            all.push(disc.conjugate());
+            above.push(disc.clone());
+        }
+        all.push(disc);
+    }
+    let reach = Rational::from(4 * factor.degree() as u64);
+    let apart = all.iter().enumerate().all(|(place, a)| {
+        let others = all.iter().skip(place + 1);
+        others.into_iter().all(|b| {
+            let larger = if a.radius < b.radius {
+                &b.radius
+            } else {
+                &a.radius
+            };
+            a.distance(b) > Rational::from(larger * &reach) + &a.radius + &b.radius
+        })
+    });
+    intervals.sort_by(|a, b| a.low.cmp(&b.low));
+    (apart && all.len() == factor.degree()).then_some((intervals, above))
+}
+
 /// A disc for each of the roots with positive imaginary part, of which there are so many.
-fn isolate_complex(factor: &Factor, couples: usize) -> Result<Vec<Disc>, RootError> {
+fn isolate_complex(
+    factor: &Factor,
+    couples: usize,
+    mut approximations: Approximations,
+    mut bits: u32,
+) -> Result<Vec<Disc>, RootError> {
     if couples == 0 {
         return Ok(Vec::new());
     }
     let polynomial = factor.polynomial();
-    let mut bits = 64 + 2 * factor.degree() as u32;
-    let mut approximations = Approximations::start(polynomial, bits);
     loop {
         approximations.improve(polynomial, bits);
         if let Some(discs) = proven_discs(factor, couples, &approximations.points, bits) {

@@ -21,6 +21,28 @@ pub(super) fn surely_coprime(a: &IntegerPolynomial, b: &IntegerPolynomial) -> bo
     b.len() == 1
 }
 
+/// Small primes, for which all residues can be tried.
+const SMALL_PRIMES: [u32; 16] = [
+    19, 23, 29, 31, 37, 41, 43, 47, 53, 59, 61, 67, 71, 73, 79, 83,
+];
+
+/// `true` only if the polynomial, not zero, has no rational root.
+///
+/// Where the prime does not divide the leading coefficient, a rational root stays one modulo the
+/// prime.
+pub(super) fn has_surely_no_rational_root(p: &IntegerPolynomial) -> bool {
+    SMALL_PRIMES.into_iter().any(|prime| {
+        let residues: Vec<u32> = p.coefficients().iter().map(|c| c.mod_u(prime)).collect();
+        let value = |x: u32| {
+            residues
+                .iter()
+                .rev()
+                .fold(0, |value, c| (value * x + c) % prime)
+        };
+        residues.last() != Some(&0) && (0..prime).all(|x| value(x) != 0)
+    })
+}
+
 fn reduced(p: &IntegerPolynomial) -> Vec<u64> {
     p.coefficients()
         .iter()

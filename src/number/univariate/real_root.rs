@@ -3,10 +3,12 @@
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use rug::{Integer, Rational};
+use rug::{Float, Integer, Rational};
 
 use super::descartes::Interval;
 use super::factor::{Factor, log2_above, log2_below};
+use super::proof::{FEW_BITS, newton_within};
+use super::{modular, polish};
 use crate::number::{Ball, Number};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -70,6 +72,10 @@ impl RealRoot {
     /// Its denominator divides the leading coefficient, so that an interval shorter than the
     /// inverse of that holds one candidate at most.
     pub fn rational(&self) -> Option<Rational> {
+        if self.exact().is_none() && modular::has_surely_no_rational_root(self.factor.polynomial())
+        {
+            return None;
+        }
         let leading = self.factor.polynomial().leading();
         let mut root = self.clone();
         let bits = i64::from(leading.significant_bits()) + 1;
@@ -107,6 +113,9 @@ impl RealRoot {
 
     /// A ball around the root with a radius of at most 2^−bits |root|; of radius 0 for the root 0.
     pub fn enclosure(&self, bits: u32) -> Number<Ball> {
+        if let Some(ball) = self.leap(bits) {
+            return Number(ball);
+        }
         let mut root = self.clone();
         root.refine(bits);
         // Rounding the midpoint costs less than the interval does.
@@ -117,6 +126,37 @@ impl RealRoot {
         }
         let radius = interval.width() >> 1;
         Number(Ball::with_radius(&interval.middle(), &radius, precision))
+    }
+
+    /// Newton's method without proof, and one proof at its end; `None` where that does not work out.
+    fn leap(&self, bits: u32) -> Option<Ball> {
+        if self.interval.is_point() {
+            return None;
+        }
+        let known = relative_bits(&self.interval).clamp(0, i64::from(bits));
+        let known = u32::try_from(known).ok()?;
+        let start = Float::with_val(known + GUARD_BITS, self.interval.middle());
+        let to = bits.checked_add(16)?;
+        let near = polish::real(self.factor.polynomial(), &start, known, to);
+        if !near.is_finite() {
+            return None;
+        }
+        let reach = magnitude(&self.interval) - i64::from(bits) - 1;
+        let wide = known + GUARD_BITS;
+        let around = Number(Ball::around(near.clone(), reach).with_precision(wide));
+        let [low, high] = [&self.interval.low, &self.interval.high]
+            .map(|end| &around - Number::<Ball>::rounded(end, &wide));
+        if !low.is_positive().is_yes() || !(-high).is_positive().is_yes() {
+            return None;
+        }
+        let precision = to.checked_add(GUARD_BITS)?;
+        let within = newton_within(
+            &self.factor.in_balls(precision),
+            &self.factor.slope_in_balls(FEW_BITS),
+            &near,
+            reach,
+        )?;
+        Some(Ball::around(near, within).with_precision(bits.saturating_add(8)))
     }
 
     /// Narrows the isolating interval to a width of at most 2^−bits |root|.
