@@ -327,6 +327,44 @@ fn centerpoint_curves() {
 }
 
 #[test]
+fn stretches_of_centerpoint_curves() {
+    let tan_half = |text: &str| json!({"tan_half": text});
+    let of = |last: Value, wishes: Value| {
+        let list = [
+            ("0", "0", tan_half("0")),
+            ("1", "1/2", tan_half("1/5")),
+            ("2", "1/3", tan_half("1/2")),
+            ("3", "-1/2", last),
+        ];
+        answered(
+            "centerpoint-curve",
+            json!({"problem": "centerpoint-curve", "positions": positions(&list), "wishes": wishes}),
+        )
+    };
+    for wishes in [
+        json!({}),
+        json!({"in_order": true, "pivots_within": {"box": [["-4", -4], ["4", "4"]]}}),
+        json!({"circlepoints_within": {"circle": {"center": ["0", "0"], "radius": "3"}}}),
+        json!({"pivots_within": {"polygon": [["-4", "-4"], ["4", "-4"], ["0", "4.5"]]}}),
+        json!({
+            "beside": {"circlepoint": ["1925/498", "-125/83"], "center": ["-3/4", "11/4"]},
+            "driver": "sought", "crank_driven": false, "without_defects": false,
+        }),
+    ] {
+        let answer = of(tan_half("3/4"), wishes);
+        assert!(
+            !answer["stretches"].as_array().unwrap().is_empty(),
+            "{answer}"
+        );
+    }
+    let answer = of(degrees("70"), json!({"in_order": true}));
+    assert!(
+        answer["stretches"].is_null() && answer["undecided"].is_string(),
+        "{answer}"
+    );
+}
+
+#[test]
 fn five_positions() {
     let by_points = |pairs: [[[&str; 2]; 2]; 5]| -> Value {
         pairs

@@ -8,4 +8,5 @@ pub mod half_angles;
 pub mod pole_four_bar;
 pub mod pole_system;
 pub mod positions;
+pub mod stretches;
 pub mod three_positions;

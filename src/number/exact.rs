@@ -6,7 +6,7 @@ use std::fmt;
 use rug::{Integer, Rational};
 
 use super::kind::EXCESSIVE_BITS;
-use super::{Kind, Real, Truth, degrees};
+use super::{Complex, Kind, Number, Real, Truth, degrees};
 
 /// A rational number of any size: for decisions and for random exact instances.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,6 +23,21 @@ impl Exact {
             (Some(a), Some(b)) => operate(a, b),
             _ => self.0 = None,
         }
+    }
+}
+
+impl Number<Exact> {
+    /// The same number in another kind that holds it exactly.
+    pub fn in_kind<K: Kind>(&self) -> Number<K> {
+        let q = self.0.rational();
+        q.map_or_else(|| Number::zero().inverse(), |q| Number::from(q.clone()))
+    }
+}
+
+impl Number<Complex<Exact>> {
+    /// The same number in another kind that holds it exactly.
+    pub fn in_kind<K: Kind>(&self) -> Number<Complex<K>> {
+        Number::complex(self.re().in_kind(), self.im().in_kind())
     }
 }
 

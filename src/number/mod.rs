@@ -24,5 +24,5 @@ pub use kind::{EXCESSIVE_BITS, EXCESSIVE_TERMS, Elementary, Kind, Real};
 pub use poly::{Fraction, Poly, Ring, Variable};
 pub use surd::Surd;
 pub use truth::Truth;
-pub use univariate::{Polynomial, Quadratic, QuadraticRoots};
+pub use univariate::{Polynomial, Quadratic, QuadraticRoots, Radical};
 pub use wrapper::Number;

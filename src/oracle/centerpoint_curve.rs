@@ -9,7 +9,7 @@ use super::numeral::{Numeral, Shown};
 use super::poles::{self, label};
 use super::positions::{Given, Task};
 use super::sharpen::Attempt;
-use super::{ProblemError, Request};
+use super::{ProblemError, Request, curve_wishes, stretches};
 use crate::finite::four_positions::{circle_conditions, isotropic, loop_closure, viewing_angles};
 use crate::finite::positions::{OPPOSITE_POLES, Positions};
 use crate::plane::Point;
@@ -21,8 +21,14 @@ use crate::plane::quadrilateral::{self, Extremes, Shape};
 
 /// Reads and solves the problem.
 pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
-    fields.only(&["positions"])?;
-    Ok(Given::read(fields, 4, 4)?.solve(&Curves, request))
+    fields.only(&["positions", "wishes"])?;
+    let given = Given::read(fields, 4, 4)?;
+    let wishes = curve_wishes::read(fields, given.rational().as_ref())?;
+    let mut answer = given.solve(&Curves, request);
+    if let Some(wishes) = wishes {
+        stretches::extend(&mut answer, &given, &wishes, request);
+    }
+    Ok(answer)
 }
 
 struct Curves;

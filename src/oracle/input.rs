@@ -88,6 +88,15 @@ impl<'a> Fields<'a> {
         Ok(())
     }
 
+    /// One of these words; `None` where the field is missing.
+    pub fn word(&self, name: &str, words: &[&str]) -> Result<Option<&'a str>, ProblemError> {
+        match self.object.get(name) {
+            None => Ok(None),
+            Some(Value::String(word)) if words.contains(&word.as_str()) => Ok(Some(word)),
+            Some(_) => Err(self.error(name, format!("one of {} was expected", words.join(", ")))),
+        }
+    }
+
     /// The field as it is.
     pub fn get(&self, name: &str) -> Result<&'a Value, ProblemError> {
         self.object

@@ -1,6 +1,7 @@
 //! Problem in, certified answer out.
 
 mod centerpoint_curve;
+mod curve_wishes;
 mod five_positions;
 mod focal_mechanism;
 mod geometry;
@@ -11,8 +12,10 @@ mod numeral;
 mod output;
 mod poles;
 mod positions;
+mod regions;
 mod sharpen;
 mod slider_crank_alternates;
+mod stretches;
 mod three_positions;
 mod wishes;
 

@@ -2,20 +2,15 @@
 
 use std::cmp::Ordering;
 
-use rug::Rational;
 use serde_json::{Value, json};
 
-use super::ProblemError;
 use super::input::{Angle, Fields};
 use super::linkages::{Driven, Linkage};
 use super::sharpen::Attempt;
-use crate::linkage::passage::{Joint, Type};
-use crate::number::{Ball, Exact, Kind, Number, Truth};
-use crate::plane::Point;
-use crate::plane::region::{Region, is_simple};
-
-/// More vertices than this are not read: whether a polygon meets itself is asked of every two edges.
-const MOST_VERTICES: usize = 500;
+use super::{ProblemError, regions};
+use crate::linkage::passage::{Joint, Type, is_in_order};
+use crate::number::{Ball, Number, Truth};
+use crate::plane::region::Region;
 
 /// Wishes, each of them optional. Those that concern the drive must be fulfilled by one of the two.
 pub struct Wishes {
@@ -39,9 +34,8 @@ impl Wishes {
             "without_defects",
             "in_order",
         ])?;
-        let region = fields.optional_object("pivots_within")?;
         Ok(Some(Wishes {
-            pivots_within: region.map(|fields| region_of(&fields)).transpose()?,
+            pivots_within: regions::read(&fields, "pivots_within")?.map(|region| region.in_kind()),
             crank_driven: fields.flag("crank_driven")?,
             least_transmission_angle: least_angle(&fields)?,
             without_defects: fields.flag("without_defects")?,
@@ -196,17 +190,6 @@ fn at_most(x: &Number<Ball>, most: &Number<Ball>) -> Truth {
     Truth::of_sign(x.compare(most), Ordering::is_le)
 }
 
-/// Forwards or backwards; one that turns fully comes back to the first position in the end.
-fn is_in_order(order: &[usize], turns_fully: bool) -> bool {
-    let forwards = order.iter().copied().eq(0..order.len());
-    let backwards = if turns_fully {
-        order.iter().skip(1).copied().eq((1..order.len()).rev())
-    } else {
-        order.iter().copied().eq((0..order.len()).rev())
-    };
-    forwards || backwards
-}
-
 /// |cos| of the transmission angle where it is farthest from 90°.
 fn cosine(driven: &Driven, bits: u32) -> Option<Number<Ball>> {
     let cosines = driven.transmission.as_ref()?.as_ref()?;
@@ -255,57 +238,4 @@ fn least_angle(fields: &Fields<'_>) -> Result<Option<Angle>, ProblemError> {
         return Err(fields.error(name, "an angle from 0° to 90° was expected"));
     }
     Ok(Some(angle))
-}
-
-fn point<K: Kind>([x, y]: &[Rational; 2]) -> Point<K> {
-    Number::complex(x.clone().into(), y.clone().into())
-}
-
-fn region_of(fields: &Fields<'_>) -> Result<Region<Ball>, ProblemError> {
-    fields.only(&["box", "circle", "polygon"])?;
-    let given = ["box", "circle", "polygon"].map(|name| fields.has(name));
-    match given {
-        [true, false, false] => match fields.points("box")?.as_slice() {
-            [p, q] => Ok(Region::Box([point(p), point(q)])),
-            list => Err(fields.error(
-                "box",
-                format!(
-                    "two opposite corners were expected, not {} points",
-                    list.len()
-                ),
-            )),
-        },
-        [false, true, false] => {
-            let circle = fields.object("circle")?;
-            circle.only(&["center", "radius"])?;
-            Ok(Region::Circle {
-                center: point(&circle.point("center")?),
-                radius: circle.positive("radius")?.into(),
-            })
-        }
-        [false, false, true] => {
-            let list = fields.points("polygon")?;
-            if list.len() < 3 || list.len() > MOST_VERTICES {
-                return Err(fields.error(
-                    "polygon",
-                    format!(
-                        "3 to {MOST_VERTICES} vertices were expected, not {}",
-                        list.len()
-                    ),
-                ));
-            }
-            let exact: Vec<Point<Exact>> = list.iter().map(point).collect();
-            if !is_simple(&exact).is_yes() {
-                return Err(fields.error(
-                    "polygon",
-                    "the polygon meets itself; one whose edges have only neighbouring ends in common was expected",
-                ));
-            }
-            Ok(Region::Polygon(list.iter().map(point).collect()))
-        }
-        _ => Err(fields.error(
-            "box",
-            "exactly one of box, circle and polygon was expected here",
-        )),
-    }
 }

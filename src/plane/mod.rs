@@ -18,6 +18,7 @@ pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;
 pub mod region;
+mod region_edges;
 pub mod relation;
 pub mod tangents;
 pub mod trace;

@@ -1,9 +1,9 @@
-//! Regions of the plane, with their boundaries.
+//! Regions of the plane, with their boundaries, and what lies in them.
 
 use std::cmp::Ordering;
 
 use super::{Point, relation};
-use crate::number::{Number, Real, Truth};
+use crate::number::{Exact, Kind, Number, Real, Truth};
 
 /// A closed region.
 #[derive(Clone, Debug)]
@@ -19,6 +19,22 @@ pub enum Region<K> {
     },
     /// The inside of a polygon that does not meet itself, by its vertices in order.
     Polygon(Vec<Point<K>>),
+}
+
+impl Region<Exact> {
+    /// The same region in another kind that holds its numbers exactly.
+    pub fn in_kind<K: Kind>(&self) -> Region<K> {
+        match self {
+            Region::Box(corners) => Region::Box(corners.each_ref().map(Point::<Exact>::in_kind)),
+            Region::Circle { center, radius } => Region::Circle {
+                center: center.in_kind(),
+                radius: radius.in_kind(),
+            },
+            Region::Polygon(vertices) => {
+                Region::Polygon(vertices.iter().map(Point::<Exact>::in_kind).collect())
+            }
+        }
+    }
 }
 
 impl<K: Real> Region<K> {
@@ -51,7 +67,8 @@ fn less_than_zero(sign: Option<Ordering>) -> Truth {
     Truth::of_sign(sign, Ordering::is_lt)
 }
 
-fn edges<K>(vertices: &[Point<K>]) -> impl Iterator<Item = (&Point<K>, &Point<K>)> {
+/// From each vertex to the next.
+pub(super) fn edges<K>(vertices: &[Point<K>]) -> impl Iterator<Item = (&Point<K>, &Point<K>)> {
     vertices.iter().zip(vertices.iter().cycle().skip(1))
 }
 
@@ -139,7 +156,6 @@ fn meet<K: Real>(a: &Point<K>, b: &Point<K>, c: &Point<K>, d: &Point<K>) -> Trut
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Exact;
 
     fn point(x: i64, y: i64) -> Point<Exact> {
         Number::complex(x.into(), y.into())
@@ -222,6 +238,36 @@ mod tests {
     }
 
     #[test]
+    fn a_polygon_with_a_notch_holds_its_boundary() {
+        for corners in [
+            [(0, 0), (4, 0), (4, 4), (2, 1), (0, 4)],
+            [(0, 4), (2, 1), (4, 4), (4, 0), (0, 0)],
+        ] {
+            let region = Region::Polygon(polygon(&corners));
+            for (x, y, inside) in [
+                (2, 2, true),
+                (4, 4, false),
+                (4, 2, true),
+                (0, 8, true),
+                (8, 3, true),
+                (3, 0, true),
+                (9, 0, false),
+                (-1, 0, false),
+                (-1, 8, false),
+                (1, 7, false),
+                (1, 5, true),
+            ] {
+                let half = point(x, y).scaled(&Number::ratio(1, 2));
+                assert_eq!(
+                    region.contains(&half),
+                    inside.into(),
+                    "({x}, {y})/2 in {corners:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn polygons_that_meet_themselves() {
         for list in [
             vec![(0, 0), (2, 2), (2, 0), (0, 2)],
@@ -232,6 +278,11 @@ mod tests {
         ] {
             assert!(is_simple(&polygon(&list)).is_no(), "{list:?}");
         }
-        assert!(is_simple(&polygon(&[(0, 0), (4, 0), (1, 1)])).is_yes());
+        for list in [
+            vec![(0, 0), (4, 0), (1, 1)],
+            vec![(0, 0), (2, 0), (2, 2), (0, 2)],
+        ] {
+            assert!(is_simple(&polygon(&list)).is_yes(), "{list:?}");
+        }
     }
 }

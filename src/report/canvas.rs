@@ -22,6 +22,8 @@ pub enum Stroke {
     Curve,
     /// The curve that the picture is about.
     MainCurve,
+    /// The part of the curve that fulfils all wishes.
+    Stretch,
     /// A line of the construction.
     Construction,
     /// A line that belongs to a curve: asymptote, midline.
@@ -40,6 +42,9 @@ impl Stroke {
             Stroke::MainPath => r##"stroke="#1565c0" stroke-width="3""##,
             Stroke::Curve => r##"stroke="#2e7d32" stroke-width="1.5""##,
             Stroke::MainCurve => r##"stroke="#2e7d32" stroke-width="2.5""##,
+            Stroke::Stretch => {
+                r##"stroke="#ef6c00" stroke-width="7" stroke-opacity="0.75" stroke-linecap="round""##
+            }
             Stroke::Construction => r##"stroke="#8d6e63" stroke-width="1.5""##,
             Stroke::Guide => r##"stroke="#6a1b9a" stroke-width="1.2" stroke-dasharray="9 5""##,
         }
@@ -60,6 +65,7 @@ pub enum Joint {
 enum Shape {
     Line(Vec<Point>, Stroke),
     Joint(Point, Joint, String),
+    Area(Vec<Point>),
 }
 
 /// A part of a page, as wide as the drawing.
@@ -133,6 +139,14 @@ impl Canvas {
         self.shapes.push(Shape::Line(points, stroke));
     }
 
+    /// A part of the plane, shaded below all lines, all of which is shown.
+    pub fn area(&mut self, corners: Vec<Point>) {
+        for corner in &corners {
+            self.show(*corner);
+        }
+        self.shapes.push(Shape::Area(corners));
+    }
+
     /// A joint and its name.
     pub fn joint(&mut self, at: Point, joint: Joint, name: &str) {
         self.show(at);
@@ -192,6 +206,11 @@ impl Canvas {
             (y1 - y0) * scale
         );
         for shape in &self.shapes {
+            if let Shape::Area(corners) = shape {
+                shade(&mut svg, corners.iter().map(|corner| place(*corner)));
+            }
+        }
+        for shape in &self.shapes {
             if let Shape::Line(points, stroke) = shape {
                 polyline(&mut svg, points.iter().map(|point| place(*point)), *stroke);
             }
@@ -234,7 +253,7 @@ impl Canvas {
     fn joints(&self) -> impl Iterator<Item = (Point, Joint, &str)> {
         self.shapes.iter().filter_map(|shape| match shape {
             Shape::Joint(at, joint, name) => Some((*at, *joint, name.as_str())),
-            Shape::Line(..) => None,
+            Shape::Line(..) | Shape::Area(_) => None,
         })
     }
 }
@@ -279,6 +298,15 @@ fn polyline(svg: &mut String, points: impl Iterator<Item = Point>, stroke: Strok
             stroke.attributes()
         );
     }
+}
+
+fn shade(svg: &mut String, corners: impl Iterator<Item = Point>) {
+    let list: Vec<String> = corners.map(|[x, y]| format!("{x:.1},{y:.1}")).collect();
+    let _ = writeln!(
+        svg,
+        r##"<polygon points="{}" fill="#fff3e0" stroke="#ffb74d" stroke-width="1"/>"##,
+        list.join(" ")
+    );
 }
 
 fn draw_joint(svg: &mut String, [x, y]: Point, joint: Joint, name: &str, [u, v]: Point) {

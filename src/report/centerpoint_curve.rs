@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::z;
-use super::{contour, finite_point, numbers, poles};
+use super::{contour, finite_point, numbers, poles, stretches};
 use crate::number::Number;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::curve_type::CurveType;
@@ -17,7 +17,7 @@ use crate::plane::trace::Trace;
 const STEPS: u32 = 3000;
 
 /// The picture; `None` where the curve is not known, or all of the plane, or without a finite point.
-pub fn picture(answer: &Value) -> Option<String> {
+pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     let curve = answer.get("centerpoint")?;
     let kind = curve.get("type")?.as_str()?;
     let coefficients: [f64; 10] = numbers(curve.get("coefficients")?)?;
@@ -42,9 +42,16 @@ pub fn picture(answer: &Value) -> Option<String> {
         canvas.show(at);
     }
     let cubic = Cubic::new(coefficients.map(Number));
+    if let Some(region) = stretches::region(problem) {
+        canvas.area(region);
+    }
     let window = canvas.window();
     for piece in pieces(&cubic, kind, window) {
         canvas.background(piece, Stroke::MainCurve);
+    }
+    let stretches = stretches::pieces(answer, &cubic, kind);
+    for piece in &stretches {
+        canvas.background(within(piece.clone(), window), Stroke::Stretch);
     }
     for name in ["asymptote", "midline"] {
         if let Some(line) = curve.get(name).and_then(numbers) {
@@ -63,6 +70,9 @@ pub fn picture(answer: &Value) -> Option<String> {
         canvas.joint(node, Joint::Moving, name);
     }
     canvas.explain(Stroke::MainCurve, "centerpoint curve");
+    if !stretches.is_empty() {
+        canvas.explain(Stroke::Stretch, "fulfils all wishes");
+    }
     canvas.explain(Stroke::Construction, "opposite-pole quadrilateral");
     if special("focus").is_some() {
         canvas.explain(Stroke::Guide, "asymptote");
@@ -84,16 +94,20 @@ fn nodes(curve: &Value) -> impl Iterator<Item = Point> {
     list.into_iter().flatten().filter_map(finite_point)
 }
 
+/// The branches of a curve that has no line or circle as a part.
+pub fn trace(cubic: &Cubic<f64>, kind: &str) -> Option<Trace<f64>> {
+    let curve_type = match kind {
+        "one-branch" => CurveType::OneBranch,
+        "two-branches" => CurveType::TwoBranches,
+        "nodal" => CurveType::Nodal,
+        _ => return None,
+    };
+    Trace::new(FocalCubic::of(cubic)?, curve_type)
+}
+
 /// The curve in pieces, each a connected row of points.
 fn pieces(cubic: &Cubic<f64>, kind: &str, window: (Point, Point)) -> Vec<Vec<Point>> {
-    let curve_type = match kind {
-        "one-branch" => Some(CurveType::OneBranch),
-        "two-branches" => Some(CurveType::TwoBranches),
-        "nodal" => Some(CurveType::Nodal),
-        _ => None,
-    };
-    let trace = curve_type.and_then(|kind| Trace::new(FocalCubic::of(cubic)?, kind));
-    let Some(trace) = trace else {
+    let Some(trace) = trace(cubic, kind) else {
         // Lines, circles and hyperbolas.
         let value = |[x, y]: Point| cubic.at(&z(x, y)).0;
         let pieces = contour::zero_set(value, window).into_iter();

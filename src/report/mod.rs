@@ -10,6 +10,7 @@ mod frames;
 mod hart;
 mod linkage_panels;
 mod poles;
+mod stretches;
 mod three_positions;
 
 use serde_json::Value;
@@ -18,7 +19,7 @@ use serde_json::Value;
 /// with nothing to show.
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
-        "centerpoint-curve" => centerpoint_curve::picture(answer),
+        "centerpoint-curve" => centerpoint_curve::picture(problem, answer),
         "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),

@@ -12,12 +12,14 @@ mod driven;
 mod driver;
 mod grashof;
 mod joint;
+mod limits;
 mod order;
 mod transmission;
 
 pub use degenerate::Degenerate;
 pub use grashof::Type;
 pub use joint::Joint;
+pub use order::is_in_order;
 
 use crate::number::Real;
 

@@ -81,6 +81,18 @@ impl<K: Real> Passage<K> {
     }
 }
 
+/// Whether the positions are passed as they are numbered, forwards or backwards; a link that turns fully
+/// comes back to the first one in the end.
+pub fn is_in_order(order: &[usize], turns_fully: bool) -> bool {
+    let forwards = order.iter().copied().eq(0..order.len());
+    let backwards = if turns_fully {
+        order.iter().skip(1).copied().eq((1..order.len()).rev())
+    } else {
+        order.iter().copied().eq((0..order.len()).rev())
+    };
+    forwards || backwards
+}
+
 /// The places of numbers in ascending order.
 fn sorted<'a, K: Real + 'a>(
     numbers: impl Iterator<Item = (usize, &'a Number<K>)>,

@@ -11,7 +11,7 @@ use super::factor::Factor;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::real_root::RealRoot;
-use super::{Polynomial, RootError, square_free};
+use super::{Polynomial, RootError, chain, square_free};
 use crate::number::{Ball, Complex, Exact, Number};
 
 /// More bits than this are not tried to tell complex roots apart.
@@ -86,6 +86,47 @@ pub fn isolate(polynomial: &Polynomial<Exact>) -> Result<Roots, RootError> {
     separate_real(&mut roots.real);
     separate_complex(&mut roots.complex);
     Ok(roots)
+}
+
+/// The different real roots of several polynomials, ascending, each with the place of the first
+/// polynomial that vanishes there. The isolating intervals are disjoint.
+///
+/// # Errors
+/// Where a coefficient has no value, and for the zero polynomial.
+pub fn real_roots(polynomials: &[Polynomial<Exact>]) -> Result<Vec<(RealRoot, usize)>, RootError> {
+    let mut roots: Vec<RealRoot> = Vec::new();
+    // Each without what it has in common with an earlier one.
+    let mut coprime: Vec<Arc<Factor>> = Vec::new();
+    for polynomial in polynomials {
+        let (_, primitive) = IntegerPolynomial::from_exact(polynomial).ok_or(RootError::NoValue)?;
+        if primitive.is_zero() {
+            return Err(RootError::ZeroPolynomial);
+        }
+        let repeated = chain::gcd(&primitive, &primitive.derivative());
+        let mut new = primitive.quotient(&repeated);
+        for earlier in &coprime {
+            new = new.quotient(&chain::gcd(&new, earlier.polynomial()));
+        }
+        new.make_primitive();
+        let factor = Arc::new(Factor::new(new));
+        let intervals = match factor.degree() {
+            0 => Vec::new(),
+            _ => isolate_real(factor.polynomial()),
+        };
+        roots.extend(
+            intervals
+                .into_iter()
+                .map(|interval| RealRoot::new(factor.clone(), interval, 1)),
+        );
+        coprime.push(factor);
+    }
+    separate_real(&mut roots);
+    let first = |root: &RealRoot| coprime.iter().position(|factor| root.is_of(factor));
+    let placed = roots.into_iter().map(|root| {
+        let place = first(&root).unwrap_or_default();
+        (root, place)
+    });
+    Ok(placed.collect())
 }
 
 /// Intervals for the real roots, ascending, and discs for those above the real axis, of simple roots.

@@ -41,6 +41,11 @@ impl RealRoot {
         }
     }
 
+    /// Whether the root was found as one of this factor.
+    pub(super) fn is_of(&self, factor: &Arc<Factor>) -> bool {
+        Arc::ptr_eq(&self.factor, factor)
+    }
+
     /// How often the polynomial vanishes there, at least 1.
     pub fn multiplicity(&self) -> usize {
         self.multiplicity

@@ -1,0 +1,211 @@
+//! What a designer wishes of a center and its circlepoint.
+
+use std::cmp::Ordering;
+
+use super::congruent_pencils::{CongruentPencils, Dyad, in_kind};
+use crate::finite::positions::Positions;
+use crate::linkage::passage::{Drive, Joint, Passage, Type, is_in_order};
+use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Real, Truth};
+use crate::plane::displacement::Displacement;
+use crate::plane::region::Region;
+use crate::plane::{Point, relation};
+
+/// All wishes; what is not wished is missing or false.
+#[derive(Clone, Debug, Default)]
+pub struct Wishes {
+    /// Where the center may be, in the fixed plane.
+    pub centers: Option<Region<Exact>>,
+    /// Where the circlepoint may be, in the moving plane.
+    pub circlepoints: Option<Region<Exact>>,
+    /// The link turns through the positions 1, 2, 3, 4 in one direction within one turn.
+    pub in_order: bool,
+    /// A link that is given beside the one that is sought.
+    pub beside: Option<Beside>,
+}
+
+/// A link that is given, and what is wished of the four-bar that it makes with the one that is sought.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// Its center and circlepoint.
+    pub given: Dyad<Point<Exact>>,
+    /// Which link drives: the first one is the given one.
+    pub drive: Drive,
+    /// The driving link turns fully.
+    pub crank_driven: bool,
+    /// All positions are on one circuit and between the same dead centres of the driving link, which
+    /// passes them in order, one way or the other.
+    pub without_defects: bool,
+}
+
+impl Wishes {
+    /// Polynomials in the slope of the pencils: where the truth of a wish changes along a branch, one of
+    /// them vanishes, or the center or the circlepoint is at infinity. `None` where a condition holds all
+    /// along the curve, so that no sign tells anything.
+    pub fn limits(
+        &self,
+        positions: &Positions<Exact>,
+        pencils: &CongruentPencils,
+    ) -> Option<Vec<Polynomial<Exact>>> {
+        let mut limits = Vec::new();
+        if self.in_order
+            || self
+                .beside
+                .as_ref()
+                .is_some_and(|beside| beside.without_defects)
+        {
+            // Two places of a point on a circle about its center change their order where they are one:
+            // in an image pole.
+            let inverse = positions.inverse();
+            let poles = positions
+                .pairs()
+                .filter_map(|(i, j)| inverse.pole(i, j)?.finite());
+            limits.extend(poles.map(|pole| pencils.slope_of_circlepoint(&pole)));
+        }
+        let dyad = pencils.functions()?;
+        let mut functions: Vec<Number<Radical>> = Vec::new();
+        if let Some(region) = &self.centers {
+            functions.extend(region.in_kind().edges(&dyad.center));
+        }
+        if let Some(region) = &self.circlepoints {
+            functions.extend(region.in_kind().edges(&dyad.circlepoint));
+        }
+        if let Some(beside) = &self.beside {
+            let passage = beside.passage(positions.displacements(), &dyad, |x| x);
+            if beside.crank_driven || beside.without_defects {
+                functions.push(passage.limit_of_type()?);
+            }
+            if beside.without_defects {
+                functions.extend(passage.limits_of_sides());
+            }
+        }
+        for function in functions {
+            limits.push(function.0.norm()?);
+        }
+        limits
+            .iter()
+            .all(|limit| !limit.is_zero())
+            .then_some(limits)
+    }
+
+    /// Whether a pair fulfils all wishes, in balls of so many bits.
+    pub fn fulfilled(
+        &self,
+        positions: &[Displacement<Exact>],
+        dyad: &Dyad<Point<Ball>>,
+        bits: u32,
+    ) -> Truth {
+        let within = |region: &Option<Region<Exact>>, point: &Point<Ball>| {
+            region
+                .as_ref()
+                .map_or(Truth::Yes, |region| region.in_kind().contains(point))
+        };
+        let mut truth =
+            within(&self.centers, &dyad.center) & within(&self.circlepoints, &dyad.circlepoint);
+        if self.in_order && !truth.is_no() {
+            let places = positions.iter().map(|d| in_kind(d).of(&dyad.circlepoint));
+            truth = truth & one_way(&places.collect::<Vec<_>>());
+        }
+        match &self.beside {
+            Some(beside) if !truth.is_no() => truth & beside.fulfilled(positions, dyad, bits),
+            _ => truth,
+        }
+    }
+}
+
+impl Beside {
+    fn passage<K: Kind>(
+        &self,
+        positions: &[Displacement<Exact>],
+        sought: &Dyad<Point<K>>,
+        round: impl Fn(Point<K>) -> Point<K>,
+    ) -> Passage<K> {
+        let joints = |pair: [Point<K>; 2]| pair.map(|point| Joint::At(round(point)));
+        let given = self.given.circlepoint.in_kind::<K>();
+        let places = |position: &Displacement<Exact>| {
+            let position = in_kind::<K>(position);
+            joints([position.of(&given), position.of(&sought.circlepoint)])
+        };
+        Passage {
+            pivots: joints([self.given.center.in_kind(), sought.center.clone()]),
+            joints: positions.iter().map(places).collect(),
+        }
+    }
+
+    fn fulfilled(
+        &self,
+        positions: &[Displacement<Exact>],
+        sought: &Dyad<Point<Ball>>,
+        bits: u32,
+    ) -> Truth {
+        // Roots of constants need a precision.
+        let round = |point: Point<Ball>| {
+            let part = |x: &Number<Ball>| Number(x.0.with_precision(bits));
+            Number::complex(part(point.re()), part(point.im()))
+        };
+        let passage = self.passage(positions, sought, round);
+        let known = |value: Option<bool>| value.map_or(Truth::Unknown, Truth::from);
+        // In a change point, and there only, a link that turns fully does not turn freely.
+        let turns_fully = passage
+            .link_type()
+            .zip(passage.is_crank(self.drive))
+            .map(|(link_type, is_crank)| is_crank && link_type != Type::ChangePoint);
+        let mut truth = Truth::Yes;
+        if self.crank_driven {
+            truth = known(turns_fully);
+        }
+        if self.without_defects && !truth.is_no() {
+            truth = truth & known(self.passes(&passage, turns_fully, positions));
+        }
+        truth
+    }
+
+    /// Whether the driving link reaches all positions without a dead centre, one after the other.
+    fn passes(
+        &self,
+        passage: &Passage<Ball>,
+        turns_fully: Option<bool>,
+        positions: &[Displacement<Exact>],
+    ) -> Option<bool> {
+        if self.drive == Drive::First && self.stands_still(positions) {
+            return Some(false);
+        }
+        let reaches_all = passage.branch(self.drive)?.into_iter().all(|one| one);
+        if !reaches_all {
+            return Some(false);
+        }
+        Some(is_in_order(&passage.order(self.drive)?, turns_fully?))
+    }
+
+    /// Whether the given link is in one place in two of the positions.
+    fn stands_still(&self, positions: &[Displacement<Exact>]) -> bool {
+        let places: Vec<Point<Exact>> = positions
+            .iter()
+            .map(|d| d.of(&self.given.circlepoint))
+            .collect();
+        let mut rest = places.as_slice();
+        while let Some((first, others)) = rest.split_first() {
+            if others.iter().any(|other| first.equals(other).is_yes()) {
+                return true;
+            }
+            rest = others;
+        }
+        false
+    }
+}
+
+/// Whether three or more points of a circle are passed one after the other by one turn, one way or the
+/// other: the triangles of the first one and two neighbours turn alike. Not where two coincide.
+fn one_way<K: Real>(places: &[Point<K>]) -> Truth {
+    let Some((first, rest)) = places.split_first() else {
+        return Truth::Yes;
+    };
+    let turns: Vec<Option<Ordering>> = rest
+        .windows(2)
+        .map(|pair| relation::twice_area(first, &pair[0], &pair[1]).sign())
+        .collect();
+    let all = |wanted: Ordering| {
+        let is = |sign: &Option<Ordering>| Truth::of_sign(*sign, |sign| sign == wanted);
+        Truth::all(turns.iter().map(is))
+    };
+    all(Ordering::Less) | all(Ordering::Greater)
+}

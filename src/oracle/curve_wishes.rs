@@ -1,0 +1,111 @@
+//! Reading what a designer wishes of a center and its circlepoint.
+
+use super::input::Fields;
+use super::positions::point;
+use super::{ProblemError, regions};
+use crate::finite::positions::Positions;
+use crate::finite::stretches::congruent_pencils::Dyad;
+use crate::finite::stretches::wishes::{Beside, Wishes};
+use crate::linkage::passage::Drive;
+use crate::number::{Exact, Number};
+use crate::plane::region::Region;
+use crate::plane::{Point, relation};
+
+/// The fields that need a link given beside the one that is sought.
+const OF_LINKAGES: [&str; 3] = ["driver", "crank_driven", "without_defects"];
+
+/// The field `wishes`; `None` where there is none.
+pub fn read(
+    fields: &Fields<'_>,
+    positions: Option<&Positions<Exact>>,
+) -> Result<Option<Wishes>, ProblemError> {
+    let Some(wishes) = fields.optional_object("wishes")? else {
+        return Ok(None);
+    };
+    let known = ["pivots_within", "circlepoints_within", "in_order", "beside"];
+    wishes.only(&[&known[..], &OF_LINKAGES].concat())?;
+    let beside = match wishes.optional_object("beside")? {
+        Some(dyad) => Some(beside(&wishes, &dyad, positions)?),
+        None => None,
+    };
+    if beside.is_none()
+        && let Some(name) = OF_LINKAGES.into_iter().find(|name| wishes.has(name))
+    {
+        return Err(wishes.error(name, "this needs a link given by \"beside\""));
+    }
+    Ok(Some(Wishes {
+        centers: region(&wishes, "pivots_within")?,
+        circlepoints: region(&wishes, "circlepoints_within")?,
+        in_order: wishes.flag("in_order")?,
+        beside,
+    }))
+}
+
+fn beside(
+    wishes: &Fields<'_>,
+    dyad: &Fields<'_>,
+    positions: Option<&Positions<Exact>>,
+) -> Result<Beside, ProblemError> {
+    dyad.only(&["circlepoint", "center"])?;
+    let given = Dyad {
+        circlepoint: point(&dyad.point("circlepoint")?),
+        center: point(&dyad.point("center")?),
+    };
+    if let Some(positions) = positions {
+        check_circle(wishes, &given, positions)?;
+    }
+    Ok(Beside {
+        given,
+        drive: match wishes.word("driver", &["given", "sought"])? {
+            Some("sought") => Drive::Second,
+            _ => Drive::First,
+        },
+        crank_driven: wishes.flag("crank_driven")?,
+        without_defects: wishes.flag("without_defects")?,
+    })
+}
+
+/// The circlepoint must be equally far from its center in all positions.
+fn check_circle(
+    wishes: &Fields<'_>,
+    given: &Dyad<Point<Exact>>,
+    positions: &Positions<Exact>,
+) -> Result<(), ProblemError> {
+    let squares: Vec<Number<Exact>> = positions
+        .displacements()
+        .iter()
+        .map(|d| relation::distance_squared(&d.of(&given.circlepoint), &given.center))
+        .collect();
+    let is_circle = squares
+        .windows(2)
+        .all(|pair| pair[0].equals(&pair[1]).is_yes());
+    if is_circle {
+        return Ok(());
+    }
+    let float =
+        |square: &Number<Exact>| square.0.rational().map_or(f64::NAN, |q| q.to_f64().sqrt());
+    let lengths: Vec<String> = squares
+        .iter()
+        .map(|square| float(square).to_string())
+        .collect();
+    Err(wishes.error(
+        "beside",
+        format!(
+            "the circlepoint must be equally far from the center in all positions; the distances \
+             are {}",
+            lengths.join(", ")
+        ),
+    ))
+}
+
+/// A region through whose inside a curve can run.
+fn region(wishes: &Fields<'_>, name: &str) -> Result<Option<Region<Exact>>, ProblemError> {
+    let region = regions::read(wishes, name)?;
+    if let Some(Region::Box([p, q])) = &region {
+        let diagonal = p - q;
+        if (diagonal.re() * diagonal.im()).is_zero().is_yes() {
+            return Err(wishes.error(&format!("{name}.box"), "the box has no inside"));
+        }
+    }
+    Ok(region)
+}
