@@ -15,8 +15,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
+use burmester::finite::five_positions::certified::certified;
 use burmester::finite::five_positions::conditions::finite_pair;
-use burmester::finite::five_positions::conics::{Pairs, Place, pairs};
+use burmester::finite::five_positions::conics::Place;
 use burmester::finite::five_positions::{floats, krawczyk};
 use burmester::number::text::parse_rational;
 use burmester::number::{Ball, Complex, Exact, Number};
@@ -40,7 +41,7 @@ fn main() {
     for digits in DIGITS {
         let count = if digits > 1000 { FEW } else { problems.len() };
         let bits = digits * 10 / 3 + 16;
-        let solve = |five: &Five<Exact>| certified(five, bits);
+        let solve = |five: &Five<Exact>| points(five, bits);
         println!(
             "{digits} {:.7}",
             median(&problems[..count.min(problems.len())], solve)
@@ -70,22 +71,19 @@ fn median<P, A>(problems: &[P], solve: impl Fn(&P) -> A) -> f64 {
     seconds[seconds.len() / 2]
 }
 
-type Certified = (Vec<[Point<Ball>; 2]>, Vec<[Number<Complex<Ball>>; 4]>);
+type Points = (Vec<[Point<Ball>; 2]>, Vec<[Number<Complex<Ball>>; 4]>);
 
 /// All finite pairs, the complex ones by one of each couple.
-fn certified(five: &Five<Exact>, bits: u32) -> Option<Certified> {
-    let Pairs::Isolated(isolated) = pairs(five)? else {
-        return None;
-    };
-    let finite = |place: Place| place == Place::Finite;
-    let real = isolated
-        .real(bits)
+fn points(five: &Five<Exact>, bits: u32) -> Option<Points> {
+    let found = certified(five, bits)?;
+    let real = found
+        .real
         .into_iter()
-        .filter(|pair| finite(pair.place));
-    let complex = isolated
-        .complex(bits)
+        .filter(|pair| pair.place == Place::Finite);
+    let complex = found
+        .complex
         .into_iter()
-        .filter(|pair| finite(pair.place));
+        .filter(|pair| pair.place == Place::Finite);
     let quotients = |[h, x, y, cx, cy, ..]: [Number<Complex<Ball>>; 7]| {
         let inverse = h.inverse();
         [x, y, cx, cy].map(|part| part * &inverse)
@@ -102,7 +100,7 @@ fn report_errors(problems: &[Five<Exact>], rounded: &[Five<f64>]) {
     let mut errors = Vec::new();
     let mut missed = 0;
     for (exact, floats) in problems.iter().zip(rounded) {
-        let Some((real, _)) = certified(exact, 128) else {
+        let Some((real, _)) = points(exact, 128) else {
             continue;
         };
         let found = floats::pairs(floats).unwrap_or_default();
@@ -148,7 +146,7 @@ fn judge(problems: &[Five<Exact>]) -> f64 {
     let tasks: Vec<(Five<Ball>, [Point<Ball>; 2])> = problems
         .iter()
         .filter_map(|five| {
-            let pair = certified(five, bits)?.0.into_iter().next()?;
+            let pair = points(five, bits)?.0.into_iter().next()?;
             let ball = |x: &Number<Exact>| Number::<Ball>::rounded(x.0.rational().unwrap(), &bits);
             let point = |z: &Point<Exact>| Number::complex(ball(z.re()), ball(z.im()));
             let balls = five.each_ref().map(|d| Displacement {

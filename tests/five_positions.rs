@@ -10,8 +10,8 @@
 #[path = "support/positions.rs"]
 mod support;
 
-use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
 use burmester::finite::five_positions::conditioning::conditioning;
+use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
 use burmester::finite::five_positions::{floats, krawczyk};
 use burmester::finite::four_positions::circle_conditions;
 use burmester::number::univariate::Polynomial;

@@ -57,11 +57,14 @@ impl<K: Kind> MeetOnLine<K> {
 
     /// As polynomials in s.
     pub fn polynomials(&self) -> [Polynomial<K>; 7] {
-        std::array::from_fn(|i| {
-            let terms = self.weights.iter().zip(&self.basis);
-            let terms = terms.map(|(weight, axis)| weight.scaled(&axis[i]));
-            terms.fold(Polynomial::zero(), |sum, term| sum + term)
-        })
+        std::array::from_fn(|i| self.polynomial(i))
+    }
+
+    /// One of the coordinates as a polynomial in s.
+    pub fn polynomial(&self, place: usize) -> Polynomial<K> {
+        let terms = self.weights.iter().zip(&self.basis);
+        let terms = terms.map(|(weight, axis)| weight.scaled(&axis[place]));
+        terms.fold(Polynomial::zero(), |sum, term| sum + term)
     }
 
     /// In one s of any kind.
@@ -100,17 +103,16 @@ impl<K: Kind> Chart<K> {
             mixed(basis, seed)
         };
         let [e0, e1, e2] = &basis;
-        let form = |which: usize, u: &Coordinates<K>, v: &Coordinates<K>| {
-            let [first, second] = products(u, v);
-            if which == 0 { first } else { second }
-        };
+        let [p00, p01, p11] = [(e0, e0), (e0, e1), (e1, e1)].map(|(u, v)| products(u, v));
+        let [p02, p12, p22] = [(e0, e2), (e1, e2), (e2, e2)].map(|(u, v)| products(u, v));
         // Twice a quadratic form is the bilinear form of a vector with itself.
         let conic = |which: usize| {
-            let at = |u, v| form(which, u, v);
+            let [p00, p01, p11, p02, p12, p22] =
+                [&p00, &p01, &p11, &p02, &p12, &p22].map(|both| both[which].clone());
             [
-                Polynomial::new(vec![at(e2, e2) / 2]),
-                Polynomial::new(vec![at(e0, e2), at(e1, e2)]),
-                Polynomial::new(vec![at(e0, e0) / 2, at(e0, e1), at(e1, e1) / 2]),
+                Polynomial::new(vec![p22 / 2]),
+                Polynomial::new(vec![p02, p12]),
+                Polynomial::new(vec![p00 / 2, p01, p11 / 2]),
             ]
         };
         let conics = [conic(0), conic(1)];

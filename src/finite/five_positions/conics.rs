@@ -32,8 +32,6 @@ pub struct Isolated {
     /// The roots s, real and complex, with multiplicities that add up to 4.
     roots: Vec<Root>,
     meet: MeetOnLine<Exact>,
-    /// h, x, y, X, Y, p, q as polynomials in s.
-    coordinates: [Poly; 7],
     /// The polynomial of which they are the roots, by where the pairs lie.
     parts: Vec<(Place, Poly)>,
 }
@@ -149,17 +147,21 @@ fn numbers(integers: Vec<Integer>) -> Option<Coordinates<Exact>> {
 
 impl Isolated {
     fn new(resultant: &Poly, meet: MeetOnLine<Exact>) -> Option<Self> {
-        let coordinates = meet.polynomials();
-        let [h, x, y, cx, cy, ..] = &coordinates;
+        let h = meet.polynomial(0);
         let mut split = Vec::new();
         for (factor, multiplicity) in resultant.square_free_factors()? {
             let power = u32::try_from(multiplicity).ok()?;
-            let at_infinity = factor.gcd(h)?;
+            let at_infinity = factor.gcd(&h)?;
             if at_infinity.degree() == Some(0) {
-                let part = if power == 1 { factor } else { factor.power(power) };
+                let part = if power == 1 {
+                    factor
+                } else {
+                    factor.power(power)
+                };
                 split.push((Place::Finite, part));
                 continue;
             }
+            let [_, x, y, cx, cy, ..] = &meet.polynomials();
             let no_z = at_infinity.gcd(x)?.gcd(y)?;
             let no_center = at_infinity.gcd(cx)?.gcd(cy)?;
             let both = no_z.gcd(&no_center)?;
@@ -183,7 +185,6 @@ impl Isolated {
         Some(Isolated {
             roots,
             meet,
-            coordinates,
             parts: split,
         })
     }
@@ -215,8 +216,9 @@ impl Isolated {
     /// The linear factor where the coordinates are in one ratio with those of a known pair.
     fn root_of(&self, polynomial: &Poly, known: &Coordinates<Exact>) -> Option<Poly> {
         let mut same = polynomial.clone();
-        for (i, (own, other)) in self.coordinates.iter().zip(known).enumerate() {
-            let later = self.coordinates.iter().zip(known).skip(i + 1);
+        let coordinates = self.meet.polynomials();
+        for (i, (own, other)) in coordinates.iter().zip(known).enumerate() {
+            let later = coordinates.iter().zip(known).skip(i + 1);
             for (own_later, other_later) in later {
                 let minor = own.scaled(other_later) - own_later.scaled(other);
                 same = same.gcd(&minor)?;
@@ -229,14 +231,14 @@ impl Isolated {
     /// The polynomial in −x whose roots, with their multiplicities, belong to the finite pairs; a
     /// constant where there is none.
     pub fn eliminant(&self) -> Option<Poly> {
-        let [h, x, ..] = &self.coordinates;
+        let [h, x, ..] = &self.meet.polynomials();
         norm(&self.part(Place::Finite), h, &-x.clone())
     }
 
     /// The polynomial of the values ax + by of the finite circlepoints, whether their centers are
     /// finite or not.
     pub fn circlepoints(&self, [a, b]: [i64; 2]) -> Option<Poly> {
-        let [h, x, y, cx, cy, p, q] = &self.coordinates;
+        let [h, x, y, cx, cy, p, q] = &self.meet.polynomials();
         let along = |x: &Poly, y: &Poly| x.scaled(&a.into()) + y.scaled(&b.into());
         let finite = norm(&self.part(Place::Finite), h, &along(x, y))?;
         // z = w/M̄ = (p + iq) (X + iY)/(X² + Y²).
@@ -249,7 +251,7 @@ impl Isolated {
     /// The polynomial of the turns (r₂z + t₂ − M)/(r₁z + t₁ − M) of the links of all pairs between two
     /// positions.
     pub fn turns(&self, positions: [&Displacement<Exact>; 2]) -> Polynomial<Complex<Exact>> {
-        let [h, x, y, cx, cy, ..] = &self.coordinates;
+        let [h, x, y, cx, cy, ..] = &self.meet.polynomials();
         let link = |position: &Displacement<Exact>| -> [Number<Complex<Exact>>; 3] {
             let at = |power: usize| {
                 let part = |p: &Poly| p.coefficient(power);

@@ -49,12 +49,8 @@ fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
         .iter()
         .all(|s| second.evaluate(s).is_zero().is_no())
         && (roots.complex.iter()).all(|s| second.evaluate_complex(s).is_zero().is_no());
-    let real = roots
-        .real
-        .iter()
-        .map(|s| coordinates.at(s, Number::clone));
-    let complex =
-        (roots.complex.iter()).map(|s| coordinates.at(s, |x| x.clone().into()));
+    let real = roots.real.iter().map(|s| coordinates.at(s, Number::clone));
+    let complex = (roots.complex.iter()).map(|s| coordinates.at(s, |x| x.clone().into()));
     differ.then(|| Enclosed {
         real: real.collect(),
         complex: complex.collect(),

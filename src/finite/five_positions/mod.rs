@@ -9,11 +9,13 @@
 //! - [`circlepoint_curves`]: the meets of two circlepoint curves,
 //! - [`loop_closure`]: a link whose turns close the loops,
 //! - [`enclosed`]: the conics where the positions are enclosures,
+//! - [`certified`]: the pairs of rational positions to so many bits, the quickest way,
 //! - [`floats`]: the conics in machine floats,
 //! - [`families`]: what there is where the pairs are infinitely many,
 //! - [`conditioning`]: how much a pair moves with the positions,
 //! - [`krawczyk`]: the judge, an interval test on the original conditions.
 
+pub mod certified;
 pub mod chart;
 pub mod circlepoint_curves;
 pub mod conditioning;

@@ -162,8 +162,7 @@ impl ComplexRoot {
         let rough = self.factor.in_balls(half + GUARD_BITS);
         let reach = root_within(&rough, &self.factor.slope_in_balls(FEW_BITS), &near)?;
         let wide = known + GUARD_BITS;
-        let around =
-            |part: &Float| Number(Ball::around(part.clone(), reach).with_precision(wide));
+        let around = |part: &Float| Number(Ball::around(part.clone(), reach).with_precision(wide));
         let ball = |part: &Rational| Number::<Ball>::rounded(part, &wide);
         let x = around(&near.re) - ball(&disc.re);
         let y = around(&near.im) - ball(&disc.im);

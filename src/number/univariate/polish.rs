@@ -32,7 +32,9 @@ pub(super) fn real(p: &IntegerPolynomial, near: &Float, from: u32, to: u32) -> F
             value *= &x;
             value += c;
         }
-        let slope = slope(p, &Float::with_val(before + GUARD_BITS, &x));
+        let short = before + GUARD_BITS;
+        let slope = slope(p, &Float::with_val(short, &x));
+        value.set_prec(short);
         x -= value / slope;
         before = bits;
     }

@@ -55,13 +55,20 @@ pub(super) fn sharpened(
     let around = |x: &Float| Number(Ball::around(x.clone(), reach));
     if z.im.is_zero() {
         let slope = slope.evaluate(&around(&z.re));
-        let step = p.evaluate(&exactly(&z.re)) / slope;
-        return Number::complex(exactly(&z.re) - step, Number::zero());
+        let value = p.evaluate(&exactly(&z.re));
+        let step = with_bits(&value, z.re.prec()) / slope;
+        let bits = value.0.precision().unwrap_or_default();
+        return Number::complex(with_bits(&exactly(&z.re), bits) - step, Number::zero());
     }
     let slope = slope.evaluate_complex(&Number::complex(around(&z.re), around(&z.im)));
     let point = Number::complex(exactly(&z.re), exactly(&z.im));
-    let step = p.evaluate_complex(&point) / slope;
-    point - step
+    // Of the short step half of the bits are all that counts.
+    let value = p.evaluate_complex(&point);
+    let short = |part: &Number<Ball>| with_bits(part, z.re.prec());
+    let step = Number::complex(short(value.re()), short(value.im())) / slope;
+    let bits = value.re().0.precision().unwrap_or_default();
+    let whole = |x: &Number<Ball>| with_bits(x, bits);
+    Number::complex(whole(point.re()), whole(point.im())) - step
 }
 
 /// Bits of a point from which one step more gives so many.
@@ -74,7 +81,11 @@ fn exactly(x: &Float) -> Number<Ball> {
 }
 
 fn few(x: &Number<Ball>) -> Number<Ball> {
-    Number(x.0.with_precision(FEW_BITS))
+    with_bits(x, FEW_BITS)
+}
+
+fn with_bits(x: &Number<Ball>, bits: u32) -> Number<Ball> {
+    Number(x.0.with_precision(bits))
 }
 
 fn short(z: &Number<Complex<Ball>>) -> Number<Complex<Ball>> {
