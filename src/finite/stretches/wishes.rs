@@ -75,7 +75,7 @@ impl Wishes {
                 functions.push(passage.limit_of_type()?);
             }
             if beside.without_defects {
-                functions.extend(passage.limits_of_sides());
+                functions.extend(passage.limits_of_sides(beside.drive));
             }
         }
         for function in functions {
@@ -144,11 +144,11 @@ impl Beside {
         };
         let passage = self.passage(positions, sought, round);
         let known = |value: Option<bool>| value.map_or(Truth::Unknown, Truth::from);
-        // In a change point, and there only, a link that turns fully does not turn freely.
-        let turns_fully = passage
-            .link_type()
-            .zip(passage.is_crank(self.drive))
-            .map(|(link_type, is_crank)| is_crank && link_type != Type::ChangePoint);
+        let turns_fully = match passage.is_crank(self.drive) {
+            // In a change point the motion is not determined.
+            Some(true) => passage.link_type().map(|kind| kind != Type::ChangePoint),
+            other => other,
+        };
         let mut truth = Truth::Yes;
         if self.crank_driven {
             truth = known(turns_fully);

@@ -2,7 +2,7 @@
 //! verdict. Between the zeros the signs that decide stay as they are.
 
 use super::joint::twice_area;
-use super::{Joint, Passage};
+use super::{Drive, Joint, Passage};
 use crate::number::{Kind, Number};
 use crate::plane::relation;
 
@@ -21,13 +21,17 @@ impl<K: Kind> Passage<K> {
         Some((e.square() + 4 * &product - 4 * c * d).square() - 16 * e.square() * product)
     }
 
-    /// For the sides on which the joints are, beside the type: in circuit, branch, and order. In one of
-    /// the positions three joints lie on a line.
-    pub fn limits_of_sides(&self) -> Vec<Number<K>> {
+    /// For the sides on which the joints are: beside the type all that branch and order depend on, but
+    /// for positions in which the driving link is in one place. In one of the positions coupler and driven
+    /// link are on a line, or the driving link and the base.
+    pub fn limits_of_sides(&self, drive: Drive) -> Vec<Number<K>> {
         let [p, q] = &self.pivots;
         let joints = self.joints.iter();
         joints
-            .flat_map(|[a, b]| [[a, b, q], [p, a, b], [p, q, a], [p, q, b]])
+            .flat_map(|[a, b]| match drive {
+                Drive::First => [[a, b, q], [p, q, a]],
+                Drive::Second => [[p, a, b], [p, q, b]],
+            })
             .map(|[x, y, z]| twice_area(x, y, z))
             .collect()
     }
@@ -51,43 +55,43 @@ mod tests {
 
     #[test]
     fn the_limit_of_the_type_is_the_product_of_the_sums() {
-        // Lengths 5, 4, 13, 12.
-        let passage = four_bar((3, 4), (7, 4), 12);
-        let squares: Vec<i64> = vec![25, 16, 41, 144];
+        let limit = four_bar((3, 4), (7, 4), 12).limit_of_type();
         let [a, b, c, d] = [5.0, 4.0, 41f64.sqrt(), 12.0];
-        assert_eq!(squares[2], 5 * 5 + 4 * 4);
         let mut product = 1.0;
-        for signs in 0..8 {
-            let sign = |place: u32| if signs >> place & 1 == 0 { 1.0 } else { -1.0 };
-            product *= a + sign(0) * b + sign(1) * c + sign(2) * d;
+        for sb in [1.0, -1.0] {
+            for sc in [1.0, -1.0] {
+                for sd in [1.0, -1.0] {
+                    product *= a + sb * b + sc * c + sd * d;
+                }
+            }
         }
-        let found = passage.limit_of_type().and_then(|limit| {
-            let limit = limit.0.rational()?.to_f64();
-            Some((limit - product).abs() < 1e-9 * product.abs())
-        });
-        assert_eq!(found, Some(true));
+        let found = limit.and_then(|limit| Some(limit.0.rational()?.to_f64()));
+        assert!(
+            found.is_some_and(|found| (found - product).abs() < 1e-9 * product.abs()),
+            "{found:?}, not {product}"
+        );
     }
 
     #[test]
     fn a_change_point_is_on_the_limit() {
-        // A kite with the sides 5, 10, 10, 5 and a parallelogram.
-        for passage in [four_bar((3, 4), (9, 12), 5), four_bar((3, 4), (10, 4), 7)] {
+        // A kite and a parallelogram.
+        for passage in [four_bar((3, 4), (16, 8), 5), four_bar((3, 4), (10, 4), 7)] {
             let limit = passage.limit_of_type();
             assert!(limit.is_some_and(|limit| limit.is_zero().is_yes()));
         }
     }
 
     #[test]
-    fn a_dead_centre_is_on_a_limit() {
-        let sides = |passage: Passage<Exact>| {
-            let zeros = passage.limits_of_sides();
-            zeros
-                .iter()
-                .filter(|limit| limit.is_zero().is_yes())
-                .count()
+    fn a_dead_centre_is_on_a_limit_of_its_drive() {
+        let vanish = |passage: Passage<Exact>| {
+            Drive::ALL.map(|drive| {
+                let limits = passage.limits_of_sides(drive);
+                limits.iter().any(|limit| limit.is_zero().is_yes())
+            })
         };
-        // A, B, and B₀ on a line.
-        assert_eq!(sides(four_bar((2, 3), (4, 2), 8)), 1);
-        assert_eq!(sides(four_bar((2, 3), (4, 3), 8)), 0);
+        // A, B, and B₀ on a line; A₀, A, and B; none.
+        assert_eq!(vanish(four_bar((2, 3), (4, 2), 8)), [true, false]);
+        assert_eq!(vanish(four_bar((2, 3), (4, 6), 9)), [false, true]);
+        assert_eq!(vanish(four_bar((2, 3), (4, 3), 8)), [false, false]);
     }
 }
