@@ -11,6 +11,7 @@ mod numeral;
 mod output;
 mod poles;
 mod positions;
+pub mod score;
 mod sharpen;
 mod slider_crank_alternates;
 mod three_positions;

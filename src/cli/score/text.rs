@@ -1,0 +1,204 @@
+//! The scores for a person.
+
+use burmester::oracle::score::corpus::Problem;
+use burmester::oracle::score::{Case, Mark, Outcome, Tally, tallies};
+
+use super::Run;
+use super::asked::Asked;
+use crate::cli::style;
+
+/// So many of the worst cases are listed.
+pub const WORST: usize = 10;
+
+const HEADS: [&str; 10] = [
+    "kind",
+    "problems",
+    "skipped",
+    "lost",
+    "found",
+    "missed",
+    "invented",
+    "facts",
+    "digits",
+    "degenerate",
+];
+
+const LEGEND: &str = "\
+skipped     the candidate declined, or stated nothing that is scored
+lost        no answer: it stopped, was too slow, wrote no answer, or gave up
+found       certified solutions that the candidate gave, of all where it answered
+missed      those that it did not give
+invented    solutions that it gave and that do not exist
+facts       words and counts that it stated rightly, of all that it stated
+digits      correct digits of what was found, worst and middle
+degenerate  cases out of the ordinary (infinitely many, at infinity, multiple) where all
+            that makes them so was stated, and nothing wrong, of all such cases
+time        of a problem, middle, and of all
+A solution is found within 1e-6 of its size, or within a thousand times what double precision
+allows at the problem's conditioning, whichever is larger.
+";
+
+/// Table, legend and the worst cases.
+pub fn report(run: &Run<'_>) -> String {
+    let all: Vec<&Case> = run.cases.iter().collect();
+    let mut kinds = tallies(&run.cases);
+    let several = run.corpora.len() > 1;
+    for tally in &mut kinds {
+        if several {
+            tally.kind = format!("{}: {}", tally.corpus, tally.kind);
+        }
+    }
+    let mut total = Tally::of(&all);
+    total.kind = "all".to_owned();
+    let mut rows: Vec<Vec<String>> = vec![HEADS.iter().map(|head| (*head).to_owned()).collect()];
+    rows[0].push("time".to_owned());
+    rows.extend(kinds.iter().map(row));
+    rows.push(row(&total));
+    let mut text = table(&rows);
+    text += &format!("\n{LEGEND}");
+    let worst = run.worst();
+    if !worst.is_empty() {
+        let count = worst.len();
+        text += &format!(
+            "\n{}\n",
+            style::bold(&format!("Not right: {count} problems"))
+        );
+        for case in worst.iter().take(WORST) {
+            text += &format!("{}: {}\n", case.id, summary(case));
+            text += &format!("    {}\n", style::dim(&run.rerun(case)));
+        }
+        if count > WORST {
+            text += &format!("and {} more; all with --format json\n", count - WORST);
+        }
+    }
+    text
+}
+
+fn row(tally: &Tally) -> Vec<String> {
+    let of = |part: usize, whole: usize| match whole {
+        0 => "-".to_owned(),
+        _ => format!("{part}/{whole}"),
+    };
+    vec![
+        tally.kind.clone(),
+        tally.problems.to_string(),
+        tally.skipped.to_string(),
+        tally.lost.to_string(),
+        of(tally.found, tally.found + tally.missed),
+        tally.missed.to_string(),
+        tally.invented.to_string(),
+        of(tally.facts_right, tally.facts_right + tally.facts_wrong),
+        tally.digits.map_or("-".to_owned(), |digits| {
+            format!("{:.1} {:.1}", digits.worst, digits.median)
+        }),
+        of(tally.degenerate_right, tally.degenerate),
+        format!(
+            "{} {}",
+            time(tally.seconds_median),
+            time(tally.seconds_total)
+        ),
+    ]
+}
+
+fn time(seconds: f64) -> String {
+    if seconds < 0.001 {
+        format!("{:.0} µs", seconds * 1e6)
+    } else if seconds < 1.0 {
+        format!("{:.1} ms", seconds * 1e3)
+    } else {
+        format!("{seconds:.1} s")
+    }
+}
+
+/// The first column to the left, the others to the right.
+fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |column: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(column));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for (index, row) in rows.iter().enumerate() {
+        let cells = row.iter().zip(&widths).enumerate();
+        let cells: Vec<String> = cells
+            .map(|(column, (cell, width))| match column {
+                0 => format!("{cell:<width$}"),
+                _ => format!("{cell:>width$}"),
+            })
+            .collect();
+        let line = cells.join("  ");
+        text += &if index == 0 { style::bold(&line) } else { line };
+        text.push('\n');
+    }
+    text
+}
+
+fn summary(case: &Case) -> String {
+    match &case.outcome {
+        Outcome::Skipped(reason) => format!("skipped: {reason}"),
+        Outcome::Lost(reason) => format!("lost: {reason}"),
+        Outcome::Scored(_) => {
+            let marks = [
+                (Mark::Found, "found"),
+                (Mark::Missed, "missed"),
+                (Mark::Invented, "invented"),
+                (Mark::Wrong, "facts wrong"),
+            ];
+            let counted = marks.map(|(mark, word)| (case.count(mark), word));
+            let said = counted.iter().filter(|(count, _)| *count > 0);
+            let said: Vec<String> = said
+                .map(|(count, word)| format!("{count} {word}"))
+                .collect();
+            if said.is_empty() {
+                "nothing missed or invented".to_owned()
+            } else {
+                said.join(", ")
+            }
+        }
+    }
+}
+
+/// One problem with what is certified and what is given.
+pub fn side_by_side(problem: &Problem, asked: &Asked) -> String {
+    let case = &asked.case;
+    let mut text = format!("{}\n{}\n\n", style::bold("Problem"), problem.problem);
+    if let Some(line) = &asked.line {
+        let line: String = line.trim().chars().take(4000).collect();
+        text += &format!("{}\n{line}\n\n", style::bold("The candidate's line"));
+    }
+    text += &format!(
+        "{} in {}; relative error allowed: {:.1e}\n",
+        style::bold(&summary(case)),
+        time(case.seconds),
+        problem.reference.tolerance()
+    );
+    let Outcome::Scored(verdict) = &case.outcome else {
+        return text;
+    };
+    for line in &verdict.lines {
+        let digits = line.digits.map(|digits| format!(", {digits:.1} digits"));
+        text += &format!(
+            "\n{}: {}{}\n",
+            line.place,
+            word(line.mark),
+            digits.unwrap_or_default()
+        );
+        for (name, side) in [("certified", &line.certified), ("given", &line.given)] {
+            text += &format!("  {name:<9}  {}\n", side.as_deref().unwrap_or("-"));
+        }
+    }
+    text
+}
+
+fn word(mark: Mark) -> &'static str {
+    match mark {
+        Mark::Found => "found",
+        Mark::Missed => "missed",
+        Mark::Invented => "invented",
+        Mark::OfFamily => "one of infinitely many, or given once more",
+        Mark::Right => "right",
+        Mark::Wrong => "wrong",
+        Mark::Unstated => "not stated",
+    }
+}
