@@ -61,7 +61,9 @@ pub fn report(run: &Run<'_>) -> String {
         let count = worst.len();
         text += &format!(
             "\n{}\n",
-            style::bold(&format!("Not right: {count} problems"))
+            style::bold(&format!(
+                "Not right, or fewer than 6 digits: {count} problems"
+            ))
         );
         for case in worst.iter().take(WORST) {
             text += &format!("{}: {}\n", case.id, summary(case));
@@ -150,6 +152,11 @@ fn summary(case: &Case) -> String {
             let said: Vec<String> = said
                 .map(|(count, word)| format!("{count} {word}"))
                 .collect();
+            let worst = case
+                .digits()
+                .first()
+                .map(|digits| format!("{digits:.1} digits"));
+            let said: Vec<String> = said.into_iter().chain(worst).collect();
             if said.is_empty() {
                 "nothing missed or invented".to_owned()
             } else {

@@ -1,23 +1,30 @@
 //! Which given solution is which certified one: the assignment with the most matches, and among
 //! these the one with the smallest errors in total.
 
-/// What it costs to leave a row without a column: more than any sum of errors, which are at most 1.
+/// What it costs to leave a row without a column that needs one.
 const UNMATCHED: f64 = 1e6;
+/// The same of a row that can do without: still more than any sum of errors, which are at most 1.
+const SPARE: f64 = 1e3;
 /// Of a column that cannot be this row's.
 const FORBIDDEN: f64 = 1e12;
 
-/// The column of each row, by the cost (0 to 1) of every possible match; the Hungarian method.
+/// The column of each row, by whether it needs one and by the cost (0 to 1) of every possible match; the
+/// Hungarian method.
 pub fn assign(
-    rows: usize,
+    needed: &[bool],
     columns: usize,
     cost: impl Fn(usize, usize) -> Option<f64>,
 ) -> Vec<Option<usize>> {
+    let rows = needed.len();
     // A column of its own for each row stands for no match.
     let width = columns + rows;
-    let costs: Vec<Vec<f64>> = (0..rows)
-        .map(|row| {
+    let costs: Vec<Vec<f64>> = needed
+        .iter()
+        .enumerate()
+        .map(|(row, needed)| {
+            let unmatched = if *needed { UNMATCHED } else { SPARE };
             let real = (0..columns).map(|column| cost(row, column).unwrap_or(FORBIDDEN));
-            let own = (0..rows).map(|other| if other == row { UNMATCHED } else { FORBIDDEN });
+            let own = (0..rows).map(|other| if other == row { unmatched } else { FORBIDDEN });
             real.chain(own).collect()
         })
         .collect();
@@ -102,13 +109,17 @@ mod tests {
 
     fn solved(costs: &[&[Option<f64>]]) -> Vec<Option<usize>> {
         let columns = costs.first().map_or(0, |row| row.len());
-        assign(costs.len(), columns, |row, column| costs[row][column])
+        assign(&vec![true; costs.len()], columns, |row, column| {
+            costs[row][column]
+        })
     }
 
     #[test]
     fn more_matches_go_before_smaller_errors() {
         let found = solved(&[&[Some(0.1), Some(0.9)], &[Some(0.0), None]]);
         assert_eq!(found, [Some(1), Some(0)]);
+        let spare = assign(&[false, true], 1, |_, _| Some(0.5));
+        assert_eq!(spare, [None, Some(0)]);
         assert_eq!(solved(&[&[None, None]]), [None]);
         assert_eq!(solved(&[]), []);
         assert_eq!(solved(&[&[], &[]]), [None, None]);
@@ -132,7 +143,7 @@ mod tests {
                         .collect()
                 })
                 .collect();
-            let found = assign(4, 5, |row, column| costs[row][column]);
+            let found = assign(&[true; 4], 5, |row, column| costs[row][column]);
             let value = |columns: &[Option<usize>]| -> f64 {
                 let each = columns.iter().enumerate();
                 each.map(|(row, column)| column.and_then(|c| costs[row][c]).unwrap_or(UNMATCHED))

@@ -156,7 +156,7 @@ impl Reader {
                 !ordinary.is_empty() && !ordinary.contains(&word.as_str())
             }
             (Shape::Point, Part::Ratio(_) | Part::Word(_)) => true,
-            (Shape::Length, Part::Word(_)) => true,
+            (Shape::Length, Part::Word(word)) => word == "infinite",
             _ => false,
         };
         self.statements

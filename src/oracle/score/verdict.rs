@@ -295,7 +295,8 @@ impl Judge<'_> {
             let error = errors.get(row)?.get(column)?.as_ref()?;
             Some(Rational::from(error / tolerance).to_f64())
         };
-        let columns = matching::assign(rows.len(), given.len(), cost);
+        let needed: Vec<bool> = rows.iter().map(|(_, needed)| *needed).collect();
+        let columns = matching::assign(&needed, given.len(), cost);
         for (row, (column, (member, needed))) in columns.iter().zip(&rows).enumerate() {
             let matched = column.and_then(|column| {
                 Some((given.get(column)?, errors.get(row)?.get(column)?.as_ref()?))
