@@ -50,9 +50,9 @@ def main():
     lines = [BEGIN, "", f"`scripts/candidates/score_all.sh` on {today}; problems: `{problems}`.", ""]
     lines += table("candidate", [row(f"`{name}`", reports[name]["total"]) for name in names])
     for name in names:
-        kinds = [k for k in reports[name]["kinds"] if k["skipped"] < k["problems"]]
-        lines += ["", f"### {name}", "", "Kinds that it declines altogether are left out.", ""]
-        lines += table("corpus: kind", [row(f"{k['corpus']}: {k['kind']}", k) for k in kinds])
+        asked = [c for c in reports[name]["by_corpus"] if c["skipped"] < c["problems"]]
+        lines += ["", f"### {name}", "", "Without corpora that it declines altogether.", ""]
+        lines += table("corpus", [row(c["corpus"], c) for c in asked])
     text = page.read_text()
     before, rest = text.split(BEGIN)
     _, after = rest.split(END)

@@ -1,6 +1,6 @@
 //! The scores for other programs.
 
-use burmester::oracle::score::{Case, Mark, Outcome, Tally, tallies};
+use burmester::oracle::score::{Case, Mark, Outcome, Tally, by_corpus, tallies};
 use serde_json::{Value, json};
 
 use super::Run;
@@ -17,6 +17,14 @@ pub fn report(run: &Run<'_>) -> Value {
             sums
         })
         .collect();
+    let by_corpus: Vec<Value> = by_corpus(&run.cases)
+        .iter()
+        .map(|tally| {
+            let mut sums = sums(tally);
+            sums["corpus"] = json!(tally.corpus);
+            sums
+        })
+        .collect();
     let worst: Vec<Value> = run
         .worst()
         .iter()
@@ -30,6 +38,7 @@ pub fn report(run: &Run<'_>) -> Value {
         "time_limit": run.arguments.time_limit.as_secs_f64(),
         "clean": run.cases.iter().all(Case::is_clean),
         "total": sums(&Tally::of(&all)),
+        "by_corpus": by_corpus,
         "kinds": kinds,
         "worst": worst,
         "problems": problems,

@@ -1,7 +1,7 @@
 //! The scores for a person.
 
 use burmester::oracle::score::corpus::Problem;
-use burmester::oracle::score::{Case, Mark, Outcome, Tally, tallies};
+use burmester::oracle::score::{Case, Mark, Outcome, Tally, by_corpus, tallies};
 
 use super::Run;
 use super::asked::Asked;
@@ -10,7 +10,7 @@ use crate::cli::style;
 /// So many of the worst cases are listed.
 pub const WORST: usize = 10;
 
-const HEADS: [&str; 10] = [
+const HEADS: [&str; 11] = [
     "kind",
     "problems",
     "skipped",
@@ -21,6 +21,7 @@ const HEADS: [&str; 10] = [
     "facts",
     "digits",
     "degenerate",
+    "time",
 ];
 
 const LEGEND: &str = "\
@@ -41,19 +42,16 @@ allows at the problem's conditioning, whichever is larger.
 /// Table, legend and the worst cases.
 pub fn report(run: &Run<'_>) -> String {
     let all: Vec<&Case> = run.cases.iter().collect();
-    let mut kinds = tallies(&run.cases);
-    let several = run.corpora.len() > 1;
-    for tally in &mut kinds {
-        if several {
-            tally.kind = format!("{}: {}", tally.corpus, tally.kind);
-        }
+    let kinds = tallies(&run.cases);
+    let mut rows: Vec<Vec<String>> = vec![HEADS.map(str::to_owned).into()];
+    for corpus in by_corpus(&run.cases) {
+        rows.push(row(&corpus.corpus, &corpus));
+        let kinds = kinds.iter().filter(|kind| kind.corpus == corpus.corpus);
+        // Of what is declined altogether the sum says enough.
+        let kinds = kinds.filter(|kind| kind.skipped < kind.problems);
+        rows.extend(kinds.map(|kind| row(&format!("  {}", kind.kind), kind)));
     }
-    let mut total = Tally::of(&all);
-    total.kind = "all".to_owned();
-    let mut rows: Vec<Vec<String>> = vec![HEADS.iter().map(|head| (*head).to_owned()).collect()];
-    rows[0].push("time".to_owned());
-    rows.extend(kinds.iter().map(row));
-    rows.push(row(&total));
+    rows.push(row("all", &Tally::of(&all)));
     let mut text = table(&rows);
     text += &format!("\n{LEGEND}");
     let worst = run.worst();
@@ -76,13 +74,13 @@ pub fn report(run: &Run<'_>) -> String {
     text
 }
 
-fn row(tally: &Tally) -> Vec<String> {
+fn row(head: &str, tally: &Tally) -> Vec<String> {
     let of = |part: usize, whole: usize| match whole {
         0 => "-".to_owned(),
         _ => format!("{part}/{whole}"),
     };
     vec![
-        tally.kind.clone(),
+        head.to_owned(),
         tally.problems.to_string(),
         tally.skipped.to_string(),
         tally.lost.to_string(),

@@ -21,7 +21,8 @@ impl Positions {
         family.then(|| displacements(problem).ok().map(Positions))?
     }
 
-    /// Whether the circlepoint keeps its distance from the center, measured by the way it goes.
+    /// Whether the circlepoint keeps its distance from the center, measured by the way it goes. Points
+    /// may be complex.
     pub fn hold(&self, member: &Member, tolerance: f64) -> bool {
         let named = |name: &str| {
             let part = member.parts.iter().find(|(other, _)| *other == name);
@@ -30,38 +31,75 @@ impl Positions {
         let (Some(circlepoint), Some(center)) = (named("circlepoint"), named("center")) else {
             return false;
         };
-        let places: Vec<[f64; 2]> = self
+        let places: Vec<[Complex; 2]> = self
             .0
             .iter()
-            .map(|position| coordinates(&position.of(&circlepoint)))
+            .map(|position| moved(position, &circlepoint))
             .collect();
-        let [x, y] = coordinates(&center);
-        let distances = places.iter().map(|[a, b]| (a - x).hypot(b - y));
-        let (least, greatest) = distances.fold((f64::INFINITY, 0.0_f64), |(least, greatest), d| {
-            (least.min(d), greatest.max(d))
+        let squares = places.iter().map(|place| {
+            let [x, y] = difference(place, &center);
+            &x * &x + &y * &y
         });
-        let way = places.iter().flat_map(|[a, b]| {
-            let others = places.iter();
-            others.map(move |[c, d]| (a - c).hypot(b - d))
-        });
-        let way = way.fold(0.0, f64::max);
-        greatest - least <= tolerance * way
+        let squares: Vec<Complex> = squares.collect();
+        let change = widest(&squares, |a, b| size(&(a - b)));
+        let way = widest(&places, |a, b| length(&difference(a, b)));
+        let reach = places
+            .iter()
+            .map(|place| length(&difference(place, &center)));
+        let reach = reach.fold(0.0, f64::max);
+        // The square of a distance d that is off by ε is off by 2dε.
+        change <= tolerance * way * (way + reach)
     }
 }
 
-fn finite(part: &Part) -> Option<Point<f64>> {
-    match part {
-        Part::Numbers(numbers) => match numbers.as_slice() {
-            [x, y] => Some(Number::complex(
-                Number(x.value.to_f64()),
-                Number(y.value.to_f64()),
-            )),
-            _ => None,
-        },
+type Complex = Point<f64>;
+
+/// The coordinates of a finite point.
+fn finite(part: &Part) -> Option<[Complex; 2]> {
+    let Part::Numbers(numbers) = part else {
+        return None;
+    };
+    let values: Vec<f64> = numbers.iter().map(|known| known.value.to_f64()).collect();
+    let complex = |re: f64, im: f64| Number::complex(Number(re), Number(im));
+    match values.as_slice() {
+        [x, y] => Some([complex(*x, 0.0), complex(*y, 0.0)]),
+        [a, b, c, d] => Some([complex(*a, *b), complex(*c, *d)]),
         _ => None,
     }
 }
 
-fn coordinates(point: &Point<f64>) -> [f64; 2] {
-    [point.re().0, point.im().0]
+fn moved(position: &Displacement<f64>, [x, y]: &[Complex; 2]) -> [Complex; 2] {
+    let real = |number: &Number<f64>| Number::complex(number.clone(), Number(0.0));
+    let [c, s] = [position.rotation.re(), position.rotation.im()].map(real);
+    let [a, b] = [position.translation.re(), position.translation.im()].map(real);
+    [&c * x - &s * y + a, &s * x + &c * y + b]
+}
+
+fn difference([a, b]: &[Complex; 2], [c, d]: &[Complex; 2]) -> [Complex; 2] {
+    [a - c, b - d]
+}
+
+fn size(number: &Complex) -> f64 {
+    number.re().0.hypot(number.im().0)
+}
+
+fn length([x, y]: &[Complex; 2]) -> f64 {
+    size(x).hypot(size(y))
+}
+
+/// The largest of a measure over every two.
+fn widest<T>(list: &[T], measure: impl Fn(&T, &T) -> f64) -> f64 {
+    let mut widest = 0.0;
+    for (place, one) in list.iter().enumerate() {
+        for other in list.iter().skip(place + 1) {
+            let measured = measure(one, other);
+            // What is no number is not small.
+            widest = if measured.is_nan() {
+                f64::INFINITY
+            } else {
+                measured.max(widest)
+            };
+        }
+    }
+    widest
 }

@@ -18,5 +18,5 @@ mod verdict;
 
 pub use read::Misread;
 pub use shape::Shape;
-pub use tally::{Case, Outcome, Spread, Tally, tallies};
+pub use tally::{Case, Outcome, Spread, Tally, by_corpus, tallies};
 pub use verdict::{Line, Mark, Reference, Verdict};

@@ -92,7 +92,6 @@ const FIVE_POSITIONS: Shape = Fields(&[
             ("centers", UpToFactor),
         ]),
     ),
-    ("eliminant", UpToFactor),
     (
         "counts",
         Fields(&[("real", ANY), ("complex", ANY), ("at_infinity", ANY)]),

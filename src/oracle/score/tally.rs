@@ -121,12 +121,25 @@ pub struct Tally {
 
 /// The sums by corpus and kind, in the order of their first problems.
 pub fn tallies(cases: &[Case]) -> Vec<Tally> {
+    grouped(cases, |a, b| a.corpus == b.corpus && a.kind == b.kind)
+}
+
+/// The sums by corpus.
+pub fn by_corpus(cases: &[Case]) -> Vec<Tally> {
+    let sums = grouped(cases, |a, b| a.corpus == b.corpus).into_iter();
+    let unnamed = |tally| Tally {
+        kind: String::new(),
+        ..tally
+    };
+    sums.map(unnamed).collect()
+}
+
+fn grouped(cases: &[Case], alike: impl Fn(&Case, &Case) -> bool) -> Vec<Tally> {
     let mut groups: Vec<Vec<&Case>> = Vec::new();
     for case in cases {
-        let same = groups.iter_mut().find(|group| {
-            let first = group.first();
-            first.is_some_and(|first| first.corpus == case.corpus && first.kind == case.kind)
-        });
+        let same = groups
+            .iter_mut()
+            .find(|group| group.first().is_some_and(|first| alike(first, case)));
         match same {
             Some(group) => group.push(case),
             None => groups.push(vec![case]),

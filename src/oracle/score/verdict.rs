@@ -325,7 +325,8 @@ impl Judge<'_> {
     }
 
     fn left_over(&self, place: &str, member: &Member) -> Mark {
-        let infinitely_many = self.positions.as_ref().filter(|_| place == "pairs");
+        let pairs = place == "pairs" || place == "complex_pairs";
+        let infinitely_many = self.positions.as_ref().filter(|_| pairs);
         if infinitely_many
             .is_some_and(|positions| positions.hold(member, self.reference.tolerance.to_f64()))
         {
