@@ -11,7 +11,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "peers"))
 
 import five_positions_flint as peer
-from flint import arb, fmpq
+from flint import arb, ctx, fmpq
 
 from protocol import Skipped, serve
 
@@ -28,7 +28,17 @@ def rational(value):
     return fmpq(int(whole + decimals), int(denominator or 1)) * scale
 
 
-peer.rational = rational
+sharp = peer.is_sharp
+
+
+def is_sharp(found, digits):
+    """Gives up where more bits do not help: pairs of one x, multiple pairs."""
+    if not sharp(found, digits) and ctx.prec > 2000:
+        raise ValueError("pairs that this elimination does not tell apart")
+    return sharp(found, digits)
+
+
+peer.rational, peer.is_sharp = rational, is_sharp
 
 
 def shown(ball):

@@ -39,7 +39,8 @@ def positions(problem):
     a, b = bodies[0]
     turns = [(d - c) / (b - a) for c, d in bodies]
     turns = [r / abs(r) for r in turns]
-    return [(r, c - r * a) for r, (c, _) in zip(turns, bodies)]
+    # Fitted bodies change their length: it is their middle that is carried over.
+    return [(r, (c + d - r * (a + b)) / 2) for r, (c, d) in zip(turns, bodies)]
 
 
 def serve(solve):
