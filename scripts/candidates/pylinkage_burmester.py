@@ -2,7 +2,8 @@
 
 `compute_circle_point_curve(poses)` is its "main entry point for Burmester theory" and returns circle
 points as they lie in the first position, with their centers; `compute_all_poles(poses)` returns the
-poles, infinite ones without a direction (these are left out here).
+poles, infinite ones without a direction (these are left out here). For five positions version 1.3.0
+searches a grid of circle points and keeps those whose radii agree within one percent.
 
 Installed with `pip install pylinkage scipy` (without scipy its synthesis cannot be imported); tried with
 Python 3.11.7, pylinkage 1.3.0, numpy 2.4.6.
