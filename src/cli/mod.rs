@@ -1,9 +1,11 @@
 //! The command line: one file per command, each thin.
 
+mod candidate;
 mod designer;
 mod explain;
 mod outcome;
 mod readable;
+mod score;
 mod solve;
 mod style;
 mod verify;
@@ -46,6 +48,18 @@ enum Command {
     /// Example: echo '{"problem": "slider-crank-alternates", "k": "0.9", "alpha_a": {"degrees":
     /// "72.5"}, "alpha_d": {"degrees": "45"}}' | burmester solve
     Solve(solve::Arguments),
+    /// Score another program's answers against certified ones
+    ///
+    /// Any program in any language is a candidate. It is started once, reads one problem a line (a
+    /// JSON object) on standard input, and for each writes one line: {"result": ANSWER}, {"skipped":
+    /// "why"} or {"error": "what"}. ANSWER is as `solve` gives it; numbers may be plain JSON numbers,
+    /// and what the program does not know may be missing. It must flush its output after every line.
+    ///
+    /// Ends with status 0 when nothing is missed, invented or wrong and no problem is lost, 1
+    /// otherwise, 2 for a wrong call or a command that cannot start.
+    ///
+    /// Example: burmester score --problems random -- python3 scripts/candidates/numpy_quartic.py
+    Score(score::Arguments),
 }
 
 /// How an answer is printed.
@@ -82,6 +96,7 @@ pub fn run() -> ExitCode {
         Some(Command::Verify(arguments)) => verify::run(&arguments),
         Some(Command::Explain(arguments)) => explain::run(&arguments),
         Some(Command::Solve(arguments)) => solve::run(&arguments),
+        Some(Command::Score(arguments)) => score::run(&arguments),
     };
     match outcome {
         Ok(code) => code,

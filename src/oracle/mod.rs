@@ -13,6 +13,7 @@ mod output;
 mod poles;
 mod positions;
 mod regions;
+pub mod score;
 mod sharpen;
 mod slider_crank_alternates;
 mod stretches;
