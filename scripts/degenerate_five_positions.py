@@ -65,6 +65,23 @@ def in_moving(position, m):
 
 LIST = []
 
+# What a program that fails a kind does wrong, in the words of data/problems/flags.json.
+FLAGS = {
+    "equal positions": ["equal-positions"],
+    "translations": ["parallel-positions"],
+    "parallel positions": ["parallel-positions"],
+    "two angles only": ["parallel-positions"],
+    "opposite angles": ["half-turn"],
+    "common pole": ["coincident-poles"],
+    "resting point": ["coincident-poles"],
+    "line of circlepoints": ["coincident-poles"],
+    "pair on a pole": ["coincident-poles"],
+    "multiple pair": ["multiple-pair"],
+    "source linkage": ["real-linkage"],
+    "equal coordinates": ["equal-coordinates"],
+    "symmetric positions": ["symmetric"],
+}
+
 # Numbers of real and complex pairs, which no construction gives: the second solver counts them.
 REAL = {
     "pair-on-a-pole": (2, 2),
@@ -90,10 +107,15 @@ REAL = {
 def add(name, kind, positions, why, real, imaginary, far=(), family=None, pairs=(), distinct=None, open=None, listed=None, eliminant=None):
     """far: kinds of the pairs at infinity; pairs: known ones as circlepoint, center, multiplicity; distinct: how many `pairs` lists."""
     known = [{"circlepoint": list(map(text, z)), "center": list(map(text, m)), "multiplicity": k} for z, m, k in pairs]
-    expected = {"counts": {"real": real, "complex": imaginary, "at_infinity": len(far)}, "at_infinity": sorted(far), "family": family, "listed": real if distinct is None else distinct, "pairs": known}
-    entry = {"id": f"degenerate/{name}", "kind": kind, "problem": {"problem": "five-positions", "id": f"degenerate/{name}", "positions": listed or [shown(position) for position in positions]}, "why": why, "expected": expected}
+    claims = {"counts": {"real": real, "complex": imaginary, "at_infinity": len(far)}, "at_infinity": sorted(far), "family": family, "listed": real if distinct is None else distinct, "pairs": known}
     if open:
-        entry["open"] = open
+        claims["open"] = open
+    flags = ["degenerate", *FLAGS.get(kind, [])]
+    if family:
+        flags.append("family")
+    if far:
+        flags.append("pair-at-infinity")
+    entry = {"id": f"degenerate-five-positions/{name}", "kind": kind, "flags": flags, "note": why, "problem": "five-positions", "positions": listed or [shown(position) for position in positions], "claims": claims}
     LIST.append((entry, positions))
 
 
@@ -264,7 +286,7 @@ def real_counts(positions):
 
 def agrees(entry, positions):
     """What the second solver says against an entry; None if it agrees or cannot judge."""
-    expected = entry["expected"]
+    expected = entry["claims"]
     if positions is None:
         return None
     matrix = conditions(positions)
@@ -277,7 +299,7 @@ def agrees(entry, positions):
     try:
         pairs, _ = solve_exact(positions, 300)
     except Family:
-        return None if expected["family"] or "infinity" in entry["why"] or not sum(expected["counts"].values()) else "a family"
+        return None if expected["family"] or "infinity" in entry["note"] or not sum(expected["counts"].values()) else "a family"
     counts = {"real": 0, "complex": 0, "at_infinity": 0}
     for pair in pairs:
         counts["at_infinity" if pair.kind != "finite" else "real" if pair.real else "complex"] += pair.multiplicity

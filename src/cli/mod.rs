@@ -3,9 +3,11 @@
 mod designer;
 mod explain;
 mod outcome;
+mod progress;
 mod readable;
 mod solve;
 mod style;
+mod vectors;
 mod verify;
 
 use std::path::PathBuf;
@@ -46,6 +48,13 @@ enum Command {
     /// Example: echo '{"problem": "slider-crank-alternates", "k": "0.9", "alpha_a": {"degrees":
     /// "72.5"}, "alpha_d": {"degrees": "45"}}' | burmester solve
     Solve(solve::Arguments),
+    /// Corpora of problems with certified answers, to test other programs with
+    ///
+    /// A corpus is a file of problems, one a line, and one of answers, joined by id. `list` names them,
+    /// `show` explains one problem, `make` writes them anew and `check` compares them with what is
+    /// computed.
+    #[command(subcommand)]
+    Vectors(vectors::Command),
 }
 
 /// How an answer is printed.
@@ -82,6 +91,7 @@ pub fn run() -> ExitCode {
         Some(Command::Verify(arguments)) => verify::run(&arguments),
         Some(Command::Explain(arguments)) => explain::run(&arguments),
         Some(Command::Solve(arguments)) => solve::run(&arguments),
+        Some(Command::Vectors(command)) => vectors::run(&command),
     };
     match outcome {
         Ok(code) => code,

@@ -1,6 +1,7 @@
 //! Problem in, certified answer out.
 
 mod centerpoint_curve;
+pub mod certificate;
 mod five_positions;
 mod focal_mechanism;
 mod geometry;
@@ -14,6 +15,7 @@ mod positions;
 mod sharpen;
 mod slider_crank_alternates;
 mod three_positions;
+pub mod vectors;
 mod wishes;
 
 use serde_json::{Map, Value, json};
