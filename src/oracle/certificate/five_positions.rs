@@ -323,9 +323,9 @@ fn along_a_line(
     let (x, y) = (x?, y?);
     let first = if x.value.is_zero() { &y } else { &x };
     require(
-        first.value.cmp0().is_gt(),
+        !first.is_exact() || first.value.cmp0().is_gt(),
         place,
-        "the first part of a direction is positive",
+        "the first part of a primitive direction is positive",
     )?;
     let across: Number<Complex<Ball>> = Number::complex(x.ball(bits), y.ball(bits));
     let z: Entry = Number::complex(point[0].re.ball(bits), point[1].re.ball(bits));

@@ -64,7 +64,9 @@ pub fn four_positions(draw: &mut Draw) -> Vec<Problem> {
 }
 
 /// Near these the complex roots of the eliminant are not separated in reasonable time.
-const NOT_ANSWERED: [&str; 7] = [
+const NOT_ANSWERED: [&str; 9] = [
+    "four-parallel",
+    "four-parallel-on-a-circle",
     "translations",
     "translations-on-a-circle",
     "translations-on-a-line",
