@@ -23,9 +23,9 @@ pub fn enclosed(positions: &Five, start: &Vector, is_real: bool, bits: u32) -> O
         let step = newton_step(positions, &middle, bits)?;
         let next: Vector = std::array::from_fn(|i| &middle[i] - &step[i]);
         middle = rounded(&next, is_real, bits)?;
-        let small = scale(&middle)? >> (bits / 2 + 16);
-        if scale(&step)? <= small {
-            let radius = scale(&middle)? >> (bits / 2);
+        let size = scale(&middle)?.max(reach(positions)?);
+        if scale(&step)? <= size.clone() >> (bits / 2 + 16) {
+            let radius = size >> (bits / 2);
             return contracted(positions, &middle, &radius, is_real, bits);
         }
     }
@@ -101,6 +101,17 @@ fn rounded(vector: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
     });
     let [a, b, c, d] = parts;
     Some([a?, b?, c?, d?])
+}
+
+/// How far the positions go: a size also where both points are the origins of their planes.
+fn reach(positions: &Five) -> Option<Rational> {
+    let mut largest = Rational::new();
+    for position in positions {
+        for part in [position.translation.re(), position.translation.im()] {
+            largest = largest.max(part.0.midpoint_rational()?.abs());
+        }
+    }
+    Some(largest)
 }
 
 /// The largest part.

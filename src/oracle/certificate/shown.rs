@@ -105,6 +105,12 @@ impl Coordinate {
         Number::complex(self.re.ball(bits), self.im.ball(bits))
     }
 
+    /// Whether an enclosure has anything in common with it.
+    pub fn meets(&self, truth: &Number<Complex<Ball>>, bits: u32) -> bool {
+        let own = self.ball(bits);
+        own.re().0.overlaps(&truth.re().0) && own.im().0.overlaps(&truth.im().0)
+    }
+
     pub fn holds(&self, truth: &Number<Complex<Ball>>) -> bool {
         self.re.holds(truth.re()) && self.im.holds(truth.im())
     }
