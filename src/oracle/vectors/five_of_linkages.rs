@@ -116,8 +116,9 @@ fn folded(
                 [a, b]
             })
             .collect();
-        // A in B₀ has no diagonal.
-        if joints.iter().all(|[_, b]| b.has_value()) {
+        // With equal sides it folds into a rhombus; A in B₀ has no diagonal.
+        let is_rhombus = base.norm().equals(&link.norm()).is_yes();
+        if !is_rhombus && joints.iter().all(|[_, b]| b.has_value()) {
             return ([a0, b0], joints);
         }
     }
