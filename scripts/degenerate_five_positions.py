@@ -65,6 +65,23 @@ def in_moving(position, m):
 
 LIST = []
 
+# What a program that fails a kind does wrong, in the words of data/problems/flags.json.
+FLAGS = {
+    "equal positions": ["equal-positions"],
+    "translations": ["parallel-positions"],
+    "parallel positions": ["parallel-positions"],
+    "two angles only": ["parallel-positions"],
+    "opposite angles": ["half-turn"],
+    "common pole": ["coincident-poles"],
+    "resting point": ["coincident-poles"],
+    "line of circlepoints": ["coincident-poles"],
+    "pair on a pole": ["coincident-poles"],
+    "multiple pair": ["multiple-pair"],
+    "source linkage": ["real-linkage"],
+    "equal coordinates": ["equal-coordinates"],
+    "symmetric positions": ["symmetric"],
+}
+
 # Numbers of real and complex pairs, which no construction gives: the second solver counts them.
 REAL = {
     "pair-on-a-pole": (2, 2),
@@ -90,10 +107,15 @@ REAL = {
 def add(name, kind, positions, why, real, imaginary, far=(), family=None, pairs=(), distinct=None, open=None, listed=None, eliminant=None):
     """far: kinds of the pairs at infinity; pairs: known ones as circlepoint, center, multiplicity; distinct: how many `pairs` lists."""
     known = [{"circlepoint": list(map(text, z)), "center": list(map(text, m)), "multiplicity": k} for z, m, k in pairs]
-    expected = {"counts": {"real": real, "complex": imaginary, "at_infinity": len(far)}, "at_infinity": sorted(far), "family": family, "listed": real if distinct is None else distinct, "pairs": known}
-    entry = {"id": f"degenerate/{name}", "kind": kind, "problem": {"problem": "five-positions", "id": f"degenerate/{name}", "positions": listed or [shown(position) for position in positions]}, "why": why, "expected": expected}
+    claims = {"counts": {"real": real, "complex": imaginary, "at_infinity": len(far)}, "at_infinity": sorted(far), "family": family, "listed": real if distinct is None else distinct, "pairs": known}
     if open:
-        entry["open"] = open
+        claims["open"] = open
+    flags = ["degenerate", *FLAGS.get(kind, [])]
+    if family:
+        flags.append("family")
+    if far:
+        flags.append("pair-at-infinity")
+    entry = {"id": f"degenerate-five-positions/{name}", "kind": kind, "flags": flags, "note": why, "problem": "five-positions", "positions": listed or [shown(position) for position in positions], "claims": claims}
     LIST.append((entry, positions))
 
 
@@ -111,10 +133,10 @@ def equal_positions():
 
 def translations():
     r = turn(q("1/2"))
-    add("translations", "translations", placed([r] * 5, [p(0, 0), p(1, 0), p(0, 1), p(2, 3), p(5, 1)]), "In a translation all points have congruent places. These five lie on no circle and no line: no point has a center, finite or not.", 0, 0, open="no family, yet the answer says that this is undecided")
+    add("translations", "translations", placed([r] * 5, [p(0, 0), p(1, 0), p(0, 1), p(2, 3), p(5, 1)]), "In a translation all points have congruent places. These five lie on no circle and no line: no point has a center, finite or not.", 0, 0)
     add("translations-on-a-circle", "translations", placed([r] * 5, [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(4, -3)]), "The places of every point lie on a circle of radius 5.", 0, 0, family="plane")
     add("translations-on-a-line", "translations", placed([r] * 5, [p(0, 0), p(1, 2), p(2, 4), p(-1, -2), p(5, 10)]), "Every point moves along a line of the direction (1, 2): all centers are at infinity across it, no pair is finite.", 0, 0, family="plane")
-    add("four-translations-on-a-circle-one-off", "translations", placed([r] * 5, [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(4, -2)]), "Four of the five places lie on a circle, the fifth does not: no pair.", 0, 0, open="no family, yet the answer says that this is undecided")
+    add("four-translations-on-a-circle-one-off", "translations", placed([r] * 5, [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(4, -2)]), "Four of the five places lie on a circle, the fifth does not: no pair.", 0, 0)
     degrees = [{"x": x, "y": y, "angle": {"degrees": "40"}} for x, y in (("5", "0"), ("3", "4"), ("-3", "4"), ("0", "-5"), ("4", "-3"))]
     add("translations-in-degrees", "translations", None, "All angles are 40 degrees: the positions are translations of each other, on a circle, though the cosine is irrational; every point has a center.", 0, 0, family="plane", listed=degrees, open="angles that are not rational are known by enclosures only, which prove no equality")
 
@@ -127,8 +149,8 @@ def parallel_positions():
     add("three-and-two-parallel", "two angles only", placed([ONE, ONE, ONE, other, other], places), "Two angles only: Re(r w) is the same for all positions for one direction of w = z conj(M), and with it the pair of two points at infinity satisfies all conditions, counted twice since both conics touch the line of pairs at infinity there. Three parallel positions leave M = z' + C; z is on two circles about one radius each, whose finite meets are not real.", 0, 2, far=["isotropic"] * 2)
     add("half-turns-only", "two angles only", placed([ONE, ONE, ONE, p(-1, 0), p(-1, 0)], places), "All angles are 0 or 180 degrees, two angles only: a pair of two points at infinity, counted twice, and two circles that meet in no real point.", 0, 2, far=["isotropic"] * 2)
     add("four-parallel", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(3, 1), p(1, 4), p(5, 2), p(-2, 7)]), "Four parallel positions whose places lie on no circle and no line: no point of the plane has a center even in these four.", 0, 0, open="no family, yet the answer says that this is undecided")
-    add("four-parallel-on-a-circle", "parallel positions", placed([ONE] * 4 + [other], [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(-2, 7)]), "M = z + C for the center C = 0 of the circle of the four; the fifth position asks for |r z + t - z| = 5: all points of a circle, one center each. No kind of family is named for it in the format so far; `circle` is meant.", 0, 0, family="circle", open="a family of this kind is not known")
-    add("four-parallel-on-a-line", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(1, 0), p(3, 0), p(-4, 0), p(-2, 7)]), "Every point moves along a line in the first four positions; the fifth is on it for the points of one line: a line of circlepoints, all centers at infinity in one direction. No finite pair.", 0, 0, family="line", open="a family of this kind is not known")
+    add("four-parallel-on-a-circle", "parallel positions", placed([ONE] * 4 + [other], [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(-2, 7)]), "M = z + C for the center C = 0 of the circle of the four; the fifth position asks for |r z + t - z| = 5: all points of a circle, one center each.", 0, 0, family="circlepoint-conic")
+    add("four-parallel-on-a-line", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(1, 0), p(3, 0), p(-4, 0), p(-2, 7)]), "Every point moves along a line in the first four positions; the fifth is on it for the points of one line: a line of circlepoints, all centers at infinity in one direction. No finite pair.", 0, 0, family="line")
 
 
 def common_points():
@@ -136,12 +158,12 @@ def common_points():
     a, b, c = p(0, 0), p(6, 2), p(5, -3)
     add("common-pole", "common pole", point_at(z, [a] * 5), "All displacements are turns about one point: every point moves on a circle about it.", 0, 0, family="plane")
     positions = point_at(z, [a, a, a, a, b])
-    add("four-turns-about-a-point", "resting point", positions, "A point rests in four positions, so that its places are two points and every point of their bisector is a center. The resting place A seen from the moving plane has two places as well: every point of the bisector of these has the center A, a second family.", 0, 0, family="point-with-any-center")
+    add("four-turns-about-a-point", "resting point", positions, "A point rests in four positions, so that its places are two points and every point of their bisector is a center. The resting place A seen from the moving plane has two places as well: every point of the bisector of these has the center A. Line and point, the latter as an isotropic pair of lines, are a cubic of circlepoints.", 0, 0, family="circlepoint-cubic")
     positions = point_at(z, [a, a, a, b, b])
     m4, m5 = in_moving(positions[3], a), in_moving(positions[4], a)
-    add("resting-in-three-and-two", "resting point", positions, "A point has two places only, A in three positions and B in two: every point of the bisector of AB is a center. A itself, seen from the moving plane, has three places: their circumcenter has the center A, an isolated pair beside the family. B has four places on no circle.", 1, 0, family="point-with-any-center", pairs=[(circumcenter(z, m4, m5), a, 1)], open="isolated pairs beside a family are not given")
+    add("resting-in-three-and-two", "resting point", positions, "A point has two places only, A in three positions and B in two: every point of the bisector of AB is a center. A itself, seen from the moving plane, has three places: their circumcenter has the center A, an isolated pair beside the family. B has four places on no circle.", 1, 0, family="point-with-any-center", pairs=[(circumcenter(z, m4, m5), a, 1)])
     dual = inverted(positions)
-    add("center-of-a-line", "line of circlepoints", dual, "The inverse of resting-in-three-and-two: a point of the fixed plane has two places in the moving one, and every point of their bisector has it for a center. Beside it one pair.", 1, 0, family="line", pairs=[(a, circumcenter(z, m4, m5), 1)], open="a family of this kind is not known")
+    add("center-of-a-line", "line of circlepoints", dual, "The inverse of resting-in-three-and-two: a point of the fixed plane has two places in the moving one, and every point of their bisector has it for a center. Beside it one pair.", 1, 0, family="line", pairs=[(a, circumcenter(z, m4, m5), 1)])
     add("pair-on-a-pole-of-three", "pair on a pole", point_at(z, [a, a, a, b, c]), "A point rests in three positions, where the poles 12, 23, 13 coincide; with two other places it has one circle: an ordinary pair.", 2, 2, pairs=[(z, circumcenter(a, b, c), 1)])
     cranks = [CRANKS[0], *CRANKS[:4]]
     add("pair-on-a-pole", "pair on a pole", point_at(z, circle(p(3, -1), q(4), cranks)), "The circlepoint is the pole of positions 1 and 2: it has one place in both, four places in all, on a circle by construction.", *REAL["pair-on-a-pole"], pairs=[(z, p(3, -1), 1)])
@@ -189,7 +211,7 @@ def infinite_pairs():
         joints.append(((5 * c, q(0)), (q(0), 5 * s)))
     trammel, _ = coupler(joints, p(0, 0), ONE)
     middle = times(minus(joints[0][1], joints[0][0]), p("1/2", 0))
-    add("trammel", "sliders on a circle", trammel, "A and B move along two lines at right angles: so does every point of the circle of the diameter AB, each along a line through the meet of both (Cardan): infinitely many centers at infinity. The middle of AB moves on a circle about the meet, the only finite pair. No kind of family is named for it in the format so far; `circle` is meant.", 1, 0, family="circle", pairs=[(middle, p(0, 0), 1)], open="a family of this kind is not known")
+    add("trammel", "sliders on a circle", trammel, "A and B move along two lines at right angles: so does every point of the circle of the diameter AB, each along a line through the meet of both (Cardan): infinitely many centers at infinity. The middle of AB moves on a circle about the meet, the only finite pair.", 1, 0, family="circlepoint-conic", pairs=[(middle, p(0, 0), 1)])
 
 
 def linkages():
@@ -264,7 +286,7 @@ def real_counts(positions):
 
 def agrees(entry, positions):
     """What the second solver says against an entry; None if it agrees or cannot judge."""
-    expected = entry["expected"]
+    expected = entry["claims"]
     if positions is None:
         return None
     matrix = conditions(positions)
@@ -277,7 +299,7 @@ def agrees(entry, positions):
     try:
         pairs, _ = solve_exact(positions, 300)
     except Family:
-        return None if expected["family"] or "infinity" in entry["why"] or not sum(expected["counts"].values()) else "a family"
+        return None if expected["family"] or "infinity" in entry["note"] or not sum(expected["counts"].values()) else "a family"
     counts = {"real": 0, "complex": 0, "at_infinity": 0}
     for pair in pairs:
         counts["at_infinity" if pair.kind != "finite" else "real" if pair.real else "complex"] += pair.multiplicity

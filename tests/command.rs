@@ -439,3 +439,86 @@ fn a_formula_nested_ten_thousand_deep_is_refused() {
         assert_refused(&verify_made_up("deep", &wrong), &[expected]);
     }
 }
+
+#[test]
+fn corpora_are_listed_shown_and_made() {
+    let listed = burmester(&["vectors", "list"], b"");
+    assert_eq!(listed.status.code(), Some(0));
+    let said = text(&listed.stdout);
+    assert!(
+        said.contains("random-five-positions  400 problems"),
+        "{said}"
+    );
+    assert!(
+        !said.contains('\u{1b}'),
+        "colours where there is no terminal"
+    );
+    let shown = burmester(
+        &["vectors", "show", "degenerate-five-positions/double"],
+        b"",
+    );
+    let said = text(&shown.stdout);
+    for part in ["multiple pair", "flag multiple-pair:", "claims", "pairs"] {
+        assert!(said.contains(part), "`{part}` is not in: {said}");
+    }
+    let folder = folder("vectors");
+    let out = folder.to_str().unwrap();
+    let made = burmester(
+        &[
+            "vectors",
+            "make",
+            "hart",
+            "degenerate-three-positions",
+            "--out",
+            out,
+        ],
+        b"",
+    );
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    for file in [
+        "problems/hart.jsonl",
+        "answers/hart.jsonl",
+        "answers/degenerate-three-positions.jsonl",
+    ] {
+        let own = fs::read(folder.join(file)).unwrap();
+        assert!(
+            own == fs::read(PathBuf::from("data").join(file)).unwrap(),
+            "{file}"
+        );
+    }
+    // The folder has no flags, and cannot be checked.
+    let checked = burmester(&["vectors", "check", "hart", "--data", out], b"");
+    assert_refused(&checked, &["flags.json"]);
+    fs::copy(
+        "data/problems/flags.json",
+        folder.join("problems/flags.json"),
+    )
+    .unwrap();
+    let checked = burmester(&["vectors", "check", "hart", "--all", "--data", out], b"");
+    assert_eq!(checked.status.code(), Some(0), "{}", text(&checked.stdout));
+    let answers = folder.join("answers/hart.jsonl");
+    let damaged =
+        fs::read_to_string(&answers)
+            .unwrap()
+            .replacen("\"exact\":\"", "\"exact\":\"7", 1);
+    fs::write(&answers, damaged).unwrap();
+    let checked = burmester(&["vectors", "check", "hart", "--data", out], b"");
+    assert_eq!(checked.status.code(), Some(1));
+    let said = text(&checked.stdout);
+    assert!(
+        said.contains("corpora.json") && said.contains("hart/0001"),
+        "{said}"
+    );
+}
+
+#[test]
+fn unknown_corpora_get_one_helpful_line() {
+    for (arguments, expected) in [
+        (["vectors", "make", "harts"], "unknown corpus `harts`"),
+        (["vectors", "check", "harts"], "unknown corpus `harts`"),
+        (["vectors", "show", "hart"], "no id of a problem"),
+        (["vectors", "show", "hart/abc"], "no problem `hart/abc`"),
+    ] {
+        assert_refused(&burmester(&arguments, b""), &[expected]);
+    }
+}

@@ -4,10 +4,12 @@ mod candidate;
 mod designer;
 mod explain;
 mod outcome;
+mod progress;
 mod readable;
 mod score;
 mod solve;
 mod style;
+mod vectors;
 mod verify;
 
 use std::path::PathBuf;
@@ -60,6 +62,13 @@ enum Command {
     ///
     /// Example: burmester score --problems random -- python3 scripts/candidates/numpy_quartic.py
     Score(score::Arguments),
+    /// Corpora of problems with certified answers, to test other programs with
+    ///
+    /// A corpus is a file of problems, one a line, and one of answers, joined by id. `list` names them,
+    /// `show` explains one problem, `make` writes them anew and `check` compares them with what is
+    /// computed.
+    #[command(subcommand)]
+    Vectors(vectors::Command),
 }
 
 /// How an answer is printed.
@@ -97,6 +106,7 @@ pub fn run() -> ExitCode {
         Some(Command::Explain(arguments)) => explain::run(&arguments),
         Some(Command::Solve(arguments)) => solve::run(&arguments),
         Some(Command::Score(arguments)) => score::run(&arguments),
+        Some(Command::Vectors(command)) => vectors::run(&command),
     };
     match outcome {
         Ok(code) => code,

@@ -2,15 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use std::io::IsTerminal;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 use burmester::ledger::{Cause, Judge, Judgement, Options, Paper, Proof, Statement, Verdict};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Map, Value, json};
 
 use super::outcome::{Failure, print};
+use super::progress::Progress;
 use super::{Data, Format, style};
 
 /// Arguments of `verify`.
@@ -67,7 +65,7 @@ macro_rules! say {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let papers = chosen(arguments.data.papers()?, &arguments.sources)?;
     let total = papers.iter().map(|paper| paper.statements.len()).sum();
-    let progress = Progress::of(total);
+    let progress = Progress::of(total, "statements");
     let mut judge = Judge::new(Options {
         digits: arguments.digits as usize,
         mutants: arguments.mutants,
@@ -115,44 +113,6 @@ fn chosen(papers: Vec<Paper>, keys: &[String]) -> Result<Vec<Paper>, Failure> {
         .into_iter()
         .filter(|paper| keys.contains(&paper.key))
         .collect())
-}
-
-/// A bar on a terminal, for work that takes longer than two seconds.
-struct Progress {
-    bar: ProgressBar,
-    started: Instant,
-}
-
-impl Progress {
-    fn of(total: usize) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
-        // A template that cannot be read leaves the bar in its standard form.
-        if let Ok(style) =
-            ProgressStyle::with_template("{bar:40} {pos}/{len} statements, {eta} left")
-        {
-            bar.set_style(style);
-        }
-        Progress {
-            bar,
-            started: Instant::now(),
-        }
-    }
-
-    fn step(&self) {
-        if self.bar.is_hidden()
-            && self.started.elapsed() > Duration::from_secs(2)
-            && std::io::stderr().is_terminal()
-        {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        self.bar.inc(1);
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
 }
 
 fn json_lines(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {

@@ -8,6 +8,10 @@ use crate::number::text::parse_rational;
 use crate::number::{Elementary, Number, Surd};
 use crate::plane;
 
+/// Fields that every problem may have. Nothing depends on those after the first: they say what the
+/// problem is about, for corpora of problems.
+const COMMON: [&str; 6] = ["problem", "id", "kind", "flags", "note", "claims"];
+
 /// The object that a problem is.
 pub struct Fields<'a> {
     object: &'a Map<String, Value>,
@@ -72,11 +76,7 @@ impl<'a> Fields<'a> {
 
     /// Rejects fields that this kind of problem does not have.
     pub fn only(&self, expected: &[&str]) -> Result<(), ProblemError> {
-        let common: &[&str] = if self.place.is_empty() {
-            &["problem", "id", "note"]
-        } else {
-            &[]
-        };
+        let common: &[&str] = if self.place.is_empty() { &COMMON } else { &[] };
         for name in self.object.keys() {
             if !common.contains(&name.as_str()) && !expected.contains(&name.as_str()) {
                 return Err(self.error(

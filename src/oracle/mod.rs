@@ -1,6 +1,7 @@
 //! Problem in, certified answer out.
 
 mod centerpoint_curve;
+pub mod certificate;
 mod curve_wishes;
 mod five_positions;
 mod focal_mechanism;
@@ -18,6 +19,7 @@ mod sharpen;
 mod slider_crank_alternates;
 mod stretches;
 mod three_positions;
+pub mod vectors;
 mod wishes;
 
 use serde_json::{Map, Value, json};

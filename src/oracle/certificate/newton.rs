@@ -1,0 +1,226 @@
+//! The interval test of a pair on the circle conditions, real or complex.
+
+use rug::Rational;
+
+use crate::number::{Ball, Complex, Number};
+use crate::plane::displacement::Displacement;
+
+type Entry = Number<Complex<Ball>>;
+/// x, y of the circlepoint, X, Y of the center.
+pub type Vector = [Entry; 4];
+type Matrix = [Vector; 4];
+type Five = [Displacement<Ball>; 5];
+
+/// Steps of Newton's method before a start is said to lead nowhere.
+const STEPS: usize = 24;
+
+/// The pair next to a start, enclosed: a box that provably holds exactly one solution, contracted.
+/// With `is_real` a box that is its own conjugate, so that the pair is real. `None` where no such box
+/// is found.
+pub fn enclosed(positions: &Five, start: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
+    let mut middle = rounded(start, is_real, bits)?;
+    for _ in 0..STEPS {
+        let step = newton_step(positions, &middle, bits)?;
+        let next: Vector = std::array::from_fn(|i| &middle[i] - &step[i]);
+        middle = rounded(&next, is_real, bits)?;
+        let size = scale(&middle)?.max(reach(positions)?);
+        if scale(&step)? <= size.clone() >> (bits / 2 + 16) {
+            let radius = size >> (bits / 2);
+            return contracted(positions, &middle, &radius, is_real, bits);
+        }
+    }
+    None
+}
+
+/// Krawczyk's operator on the box around a middle, where it lies inside.
+fn contracted(
+    positions: &Five,
+    middle: &Vector,
+    radius: &Rational,
+    is_real: bool,
+    bits: u32,
+) -> Option<Vector> {
+    let zero = Rational::new();
+    let around = |x: &Number<Ball>, radius: &Rational| -> Option<Number<Ball>> {
+        let mid = x.0.midpoint_rational()?;
+        Some(Number(Ball::with_radius(&mid, radius, bits)))
+    };
+    let wide = middle.each_ref().map(|x| {
+        let im = if is_real { &zero } else { radius };
+        Some(Number::complex(
+            around(x.re(), radius)?,
+            around(x.im(), im)?,
+        ))
+    });
+    let [a, b, c, d] = wide;
+    let wide: Vector = [a?, b?, c?, d?];
+    let inverse = approximate_inverse(&derivative(positions, middle), bits)?;
+    let value = applied(&inverse, &conditions(positions, middle));
+    let slope = derivative(positions, &wide);
+    let image: Vector = std::array::from_fn(|i| {
+        let mut image = &middle[i] - &value[i];
+        for k in 0..4 {
+            let mut entry = Number::from(i64::from(i == k));
+            for (j, row) in slope.iter().enumerate() {
+                entry -= &inverse[i][j] * &row[k];
+            }
+            image += entry * (&wide[k] - &middle[k]);
+        }
+        image
+    });
+    let inside = |a: &Number<Ball>, b: &Number<Ball>| -> Option<bool> {
+        Some(a.0.lower()? > b.0.lower()? && a.0.upper()? < b.0.upper()?)
+    };
+    for (image, wide) in image.iter().zip(&wide) {
+        // The real operator has real images: their imaginary part is 0 exactly.
+        if !inside(image.re(), wide.re())? || !(is_real || inside(image.im(), wide.im())?) {
+            return None;
+        }
+    }
+    if !is_real {
+        return Some(image);
+    }
+    Some(image.map(|x| Number::complex(x.re().clone(), Number::zero())))
+}
+
+/// The midpoints.
+fn rounded(vector: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
+    let middle = |x: &Number<Ball>| -> Option<Number<Ball>> {
+        // First to the precision, which costs a radius; then without it.
+        let short = Ball::with_radius(&x.0.midpoint_rational()?, &Rational::new(), bits);
+        let exact = Ball::with_radius(&short.midpoint_rational()?, &Rational::new(), bits);
+        Some(Number(exact))
+    };
+    let parts = vector.each_ref().map(|x| {
+        let im = if is_real {
+            Number::zero()
+        } else {
+            middle(x.im())?
+        };
+        Some(Number::complex(middle(x.re())?, im))
+    });
+    let [a, b, c, d] = parts;
+    Some([a?, b?, c?, d?])
+}
+
+/// How far the positions go: a size also where both points are the origins of their planes.
+fn reach(positions: &Five) -> Option<Rational> {
+    let mut largest = Rational::new();
+    for position in positions {
+        for part in [position.translation.re(), position.translation.im()] {
+            largest = largest.max(part.0.midpoint_rational()?.abs());
+        }
+    }
+    Some(largest)
+}
+
+/// The largest part.
+fn scale(vector: &Vector) -> Option<Rational> {
+    let mut largest = Rational::new();
+    for part in vector.iter().flat_map(|x| [x.re(), x.im()]) {
+        largest = largest.max(part.0.midpoint_rational()?.abs());
+    }
+    Some(largest)
+}
+
+fn newton_step(positions: &Five, at: &Vector, bits: u32) -> Option<Vector> {
+    let inverse = approximate_inverse(&derivative(positions, at), bits)?;
+    Some(applied(&inverse, &conditions(positions, at)))
+}
+
+/// From the center to the place of the circlepoint.
+fn links(position: &Displacement<Ball>, [x, y, cx, cy]: &Vector) -> [Entry; 2] {
+    let (cos, sin) = (
+        Number::from(position.rotation.re().clone()),
+        Number::from(position.rotation.im().clone()),
+    );
+    let (a, b) = (
+        position.translation.re().clone(),
+        position.translation.im().clone(),
+    );
+    let (cos, sin): (&Entry, &Entry) = (&cos, &sin);
+    [
+        cos * x - sin * y + Number::from(a) - cx,
+        sin * x + cos * y + Number::from(b) - cy,
+    ]
+}
+
+/// The squared radius of each position after the first, less that of the first.
+fn conditions(positions: &Five, at: &Vector) -> Vector {
+    let squared = |position: &Displacement<Ball>| {
+        let [u, v] = links(position, at);
+        &u * &u + &v * &v
+    };
+    let [first, rest @ ..] = positions;
+    let first = squared(first);
+    rest.each_ref().map(|position| squared(position) - &first)
+}
+
+/// Row by row: by x, y, X, Y.
+fn derivative(positions: &Five, at: &Vector) -> Matrix {
+    let slopes = |position: &Displacement<Ball>| -> Vector {
+        let [u, v] = links(position, at);
+        let cos: Entry = Number::from(position.rotation.re().clone());
+        let sin: Entry = Number::from(position.rotation.im().clone());
+        [
+            (&u * &cos + &v * &sin) * 2,
+            (&v * &cos - &u * &sin) * 2,
+            u * -2,
+            v * -2,
+        ]
+    };
+    let [first, rest @ ..] = positions;
+    let first = slopes(first);
+    rest.each_ref().map(|position| {
+        let row = slopes(position);
+        std::array::from_fn(|k| &row[k] - &first[k])
+    })
+}
+
+fn applied(matrix: &Matrix, vector: &Vector) -> Vector {
+    matrix
+        .each_ref()
+        .map(|row| row.iter().zip(vector).map(|(a, b)| a * b).sum())
+}
+
+/// Near the inverse, without a radius: by elimination with the largest pivot.
+fn approximate_inverse(matrix: &Matrix, bits: u32) -> Option<Matrix> {
+    let mut rows: Vec<Vec<Entry>> = Vec::new();
+    for (i, row) in matrix.iter().enumerate() {
+        let mut row = rounded(row, false, bits)?.to_vec();
+        row.extend((0..4).map(|k| Number::from(i64::from(i == k))));
+        rows.push(row);
+    }
+    for column in 0..4 {
+        let mut best = (column, Rational::new());
+        for (place, row) in rows.iter().enumerate().skip(column) {
+            let size = row[column].norm().0.midpoint_rational()?;
+            if size > best.1 {
+                best = (place, size);
+            }
+        }
+        rows.swap(column, best.0);
+        let pivot = rows[column].clone();
+        let inverse = pivot[column].inverse();
+        for (place, row) in rows.iter_mut().enumerate() {
+            if place == column {
+                continue;
+            }
+            let factor = &row[column] * &inverse;
+            for (entry, above) in row.iter_mut().zip(&pivot) {
+                *entry -= &factor * above;
+            }
+        }
+        if let Some(row) = rows.get_mut(column) {
+            for entry in row.iter_mut() {
+                *entry = &*entry * &inverse;
+            }
+        }
+    }
+    let mut inverse: Vec<Vector> = Vec::new();
+    for row in rows {
+        let part: Vector = row.get(4..)?.to_vec().try_into().ok()?;
+        inverse.push(rounded(&part, false, bits)?);
+    }
+    inverse.try_into().ok()
+}

@@ -1,0 +1,99 @@
+//! Problems about one mechanism: Hart's, focal mechanisms, slider-cranks.
+
+use rug::Rational;
+use serde_json::{Value, json};
+
+use super::Problem;
+use super::draw::Draw;
+
+pub fn hart(draw: &mut Draw) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    while problems.len() < 80 {
+        let kappa = draw.number();
+        if kappa.is_zero() || Rational::from(kappa.square_ref()) == 1 {
+            continue;
+        }
+        let [m, n, d] = [draw.length(), draw.length(), draw.length()];
+        let kind = if kappa.cmp0().is_gt() {
+            "positive ratio"
+        } else {
+            "negative ratio"
+        };
+        let input = json!({
+            "problem": "hart",
+            "m": m.to_string(),
+            "n": n.to_string(),
+            "d": d.to_string(),
+            "kappa": kappa.to_string(),
+        });
+        problems.push(Problem::new(kind, &[], input));
+    }
+    problems
+}
+
+pub fn focal(draw: &mut Draw) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    while problems.len() < 120 {
+        let rho = draw.number();
+        if rho.is_zero() || rho == -1 {
+            continue;
+        }
+        let [mut a, b, c, mut d] = [draw.length(), draw.length(), draw.length(), draw.length()];
+        let (kind, flags): (&str, &[&'static str]) = match problems.len() % 6 {
+            4 => {
+                a.clone_from(&b);
+                ("equal links", &["equal-coordinates"])
+            }
+            5 => {
+                // a + b = c + d: all in one line.
+                d = Rational::from(&a + &b) - &c;
+                if d.cmp0().is_le() {
+                    continue;
+                }
+                ("change-point four-bar", &["degenerate"])
+            }
+            _ => ("any four-bar", &[]),
+        };
+        let input = json!({
+            "problem": "focal-mechanism",
+            "a": a.to_string(),
+            "b": b.to_string(),
+            "c": c.to_string(),
+            "d": d.to_string(),
+            "rho": rho.to_string(),
+        });
+        problems.push(Problem::new(kind, flags, input));
+    }
+    problems
+}
+
+fn ray(draw: &mut Draw, round: usize) -> Value {
+    match round % 3 {
+        0 => json!({"tan_half": draw.half().to_string()}),
+        1 => json!({"degrees": draw.positive(179).to_string()}),
+        _ => json!({"degrees": (draw.positive(11) * 15).to_string()}),
+    }
+}
+
+pub fn slider_cranks(draw: &mut Draw) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for round in 0..160 {
+        let (alpha_a, alpha_d) = (ray(draw, round), ray(draw, round / 3));
+        let special = ["-1", "1", "0", "-3", "-4", "2"];
+        let (k, kind) = if round % 5 == 4 {
+            let k = special[(round / 5) % special.len()];
+            (k.to_owned(), format!("k = {k}"))
+        } else {
+            (draw.number().to_string(), "any ratio".to_owned())
+        };
+        let flags: &[&'static str] = if round % 5 == 4 { &["degenerate"] } else { &[] };
+        let input = json!({
+            "problem": "slider-crank-alternates",
+            "k": k,
+            "alpha_a": alpha_a,
+            "alpha_d": alpha_d,
+        });
+        problems.push(Problem::new(kind, flags, input));
+    }
+    problems
+}
