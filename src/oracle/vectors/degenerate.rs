@@ -65,8 +65,11 @@ fn tangential(halves: [(i64, i64); 4]) -> Vec<Position> {
     of_quadrilateral(&[vertex(0), vertex(1), vertex(2), vertex(3)])
 }
 
+/// How positions of a kind are made.
+type Make = fn() -> Vec<Position>;
+
 /// Four positions by their kind.
-pub const FOUR: [(&str, fn() -> Vec<Position>); 25] = [
+pub const FOUR: [(&str, Make); 25] = [
     ("two equal positions", || {
         vec![
             to(one(), 0, 0),
@@ -247,7 +250,7 @@ pub fn four_positions() -> Vec<Problem> {
 }
 
 /// Three positions by their kind, with what a person should know.
-const THREE: [(&str, fn() -> Vec<Position>, &str); 9] = [
+const THREE: [(&str, Make, &str); 9] = [
     (
         "two equal positions",
         || vec![to(one(), 0, 0), to(by(1, 2), 3, 1), to(one(), 0, 0)],
