@@ -16,6 +16,11 @@ pub fn error(certified: &Part, given: &Part, scale: &Rational) -> Option<Rationa
             farthest(certified, given.iter().map(|known| known.value.clone()))
                 .map(|distance| distance / size)
         }
+        (Part::Ratio(certified), Part::Ratio(given)) if largest(certified).is_zero() => {
+            // An equation that every point satisfies.
+            farthest(certified, given.iter().map(|known| known.value.clone()))
+                .map(|distance| distance / scale)
+        }
         (Part::Ratio(certified), Part::Ratio(given)) => of_ratio(certified, given),
         (Part::Degrees(certified), Part::Degrees(given)) => {
             let turn = Rational::from(360);
@@ -141,6 +146,10 @@ mod tests {
             let given = Part::Ratio(vec![known(x, 1), known(y, 1)]);
             assert_eq!(error(&right, &given, &one()), expected, "{x}, {y}");
         }
+        let nothing = Part::Ratio(vec![known(0, 1), known(0, 1)]);
+        assert_eq!(error(&nothing, &nothing, &one()), Some(Rational::new()));
+        assert_eq!(error(&right, &nothing, &one()), None);
+        assert_eq!(error(&nothing, &right, &one()), Some(4.into()));
         let numbers = Part::Numbers(vec![known(3, 1), known(-4, 1)]);
         assert_eq!(error(&right, &numbers, &one()), None);
     }
