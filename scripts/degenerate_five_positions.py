@@ -104,12 +104,10 @@ REAL = {
 }
 
 
-def add(name, kind, positions, why, real, imaginary, far=(), family=None, pairs=(), distinct=None, open=None, listed=None, eliminant=None):
+def add(name, kind, positions, why, real, imaginary, far=(), family=None, pairs=(), distinct=None, listed=None, eliminant=None):
     """far: kinds of the pairs at infinity; pairs: known ones as circlepoint, center, multiplicity; distinct: how many `pairs` lists."""
     known = [{"circlepoint": list(map(text, z)), "center": list(map(text, m)), "multiplicity": k} for z, m, k in pairs]
     claims = {"counts": {"real": real, "complex": imaginary, "at_infinity": len(far)}, "at_infinity": sorted(far), "family": family, "listed": real if distinct is None else distinct, "pairs": known}
-    if open:
-        claims["open"] = open
     flags = ["degenerate", *FLAGS.get(kind, [])]
     if family:
         flags.append("family")
@@ -138,7 +136,7 @@ def translations():
     add("translations-on-a-line", "translations", placed([r] * 5, [p(0, 0), p(1, 2), p(2, 4), p(-1, -2), p(5, 10)]), "Every point moves along a line of the direction (1, 2): all centers are at infinity across it, no pair is finite.", 0, 0, family="plane")
     add("four-translations-on-a-circle-one-off", "translations", placed([r] * 5, [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(4, -2)]), "Four of the five places lie on a circle, the fifth does not: no pair.", 0, 0)
     degrees = [{"x": x, "y": y, "angle": {"degrees": "40"}} for x, y in (("5", "0"), ("3", "4"), ("-3", "4"), ("0", "-5"), ("4", "-3"))]
-    add("translations-in-degrees", "translations", None, "All angles are 40 degrees: the positions are translations of each other, on a circle, though the cosine is irrational; every point has a center.", 0, 0, family="plane", listed=degrees, open="angles that are not rational are known by enclosures only, which prove no equality")
+    add("translations-in-degrees", "translations", None, "All angles are 40 degrees: the positions are translations of each other, on a circle, though the cosine is irrational; every point has a center.", 0, 0, family="plane", listed=degrees)
 
 
 def parallel_positions():
@@ -148,8 +146,8 @@ def parallel_positions():
     add("three-parallel", "parallel positions", placed([ONE, ONE, ONE, turn(q("1/3")), other], [p(0, 0), p(1, 0), p(3, 2), p(-4, 0), p(-2, 7)]), z_circles + " Two circles meet in two finite points, here not real, and in the two circular points: the couple that is isotropic.", 0, 2, far=["isotropic"] * 2)
     add("three-and-two-parallel", "two angles only", placed([ONE, ONE, ONE, other, other], places), "Two angles only: Re(r w) is the same for all positions for one direction of w = z conj(M), and with it the pair of two points at infinity satisfies all conditions, counted twice since both conics touch the line of pairs at infinity there. Three parallel positions leave M = z' + C; z is on two circles about one radius each, whose finite meets are not real.", 0, 2, far=["isotropic"] * 2)
     add("half-turns-only", "two angles only", placed([ONE, ONE, ONE, p(-1, 0), p(-1, 0)], places), "All angles are 0 or 180 degrees, two angles only: a pair of two points at infinity, counted twice, and two circles that meet in no real point.", 0, 2, far=["isotropic"] * 2)
-    add("four-parallel", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(3, 1), p(1, 4), p(5, 2), p(-2, 7)]), "Four parallel positions whose places lie on no circle and no line: no point of the plane has a center even in these four.", 0, 0, open="no family, yet the answer says that this is undecided")
-    add("four-parallel-on-a-circle", "parallel positions", placed([ONE] * 4 + [other], [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(-2, 7)]), "M = z + C for the center C = 0 of the circle of the four; the fifth position asks for |r z + t - z| = 5: all points of a circle, one center each.", 0, 0, family="circlepoint-conic")
+    add("four-parallel", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(3, 1), p(1, 4), p(5, 2), p(-2, 7)]), "Four parallel positions whose places lie on no circle and no line: no point of the plane has a center even in these four.", 0, 0)
+    add("four-parallel-on-a-circle", "parallel positions", placed([ONE] * 4 + [other], [p(5, 0), p(3, 4), p(-3, 4), p(0, -5), p(-2, 7)]), "M = z + C for the center C = 0 of the circle of the four; the fifth position asks for |r z + t - z| = 5: all points of a circle, one center each.", 0, 0, family="circle")
     add("four-parallel-on-a-line", "parallel positions", placed([ONE] * 4 + [other], [p(0, 0), p(1, 0), p(3, 0), p(-4, 0), p(-2, 7)]), "Every point moves along a line in the first four positions; the fifth is on it for the points of one line: a line of circlepoints, all centers at infinity in one direction. No finite pair.", 0, 0, family="line")
 
 
@@ -171,7 +169,7 @@ def common_points():
 
 def multiple_pairs():
     unit = [turn(q(t)) for t in (0, "1/2", "1/3", -2, 3)]
-    add("quadruple", "multiple pair", placed([times(p(-1, 0), times(c, c)) for c in unit], unit), "Each position is the plane mirrored in a line that touches one circle. With r = -c^2, t = c a pair near (0, 0) changes the radius by -Re c(dz + conj dM), which vanishes for dM = -conj dz: two directions, so that the pair counts three times at least. The positions are symmetric in (z, M) and (conj M, conj z), which leaves (0, 0) and moves every pair that is not of the form (z, conj z), of which there are no others: the number is even, and four.", 4, 0, pairs=[(p(0, 0), p(0, 0), 4)], distinct=1, open="a pair that is double in two directions is taken for a family")
+    add("quadruple", "multiple pair", placed([times(p(-1, 0), times(c, c)) for c in unit], unit), "Each position is the plane mirrored in a line that touches one circle. With r = -c^2, t = c a pair near (0, 0) changes the radius by -Re c(dz + conj dM), which vanishes for dM = -conj dz: two directions, so that the pair counts three times at least. The positions are symmetric in (z, M) and (conj M, conj z), which leaves (0, 0) and moves every pair that is not of the form (z, conj z), of which there are no others: the number is even, and four.", 4, 0, pairs=[(p(0, 0), p(0, 0), 4)], distinct=1)
     c2, g2, c4, g4 = p("4/5", "3/5"), p("3/5", "4/5"), p("-4/5", "3/5"), p("3/5", "4/5")
     turns = [(ONE, ONE), (times(c2, g2), c2), (conj(times(c2, g2)), conj(c2)), (times(c4, g4), c4), (conj(times(c4, g4)), conj(c4))]
     add("triple", "multiple pair", placed([r for r, _ in turns], [c for _, c in turns]), "Positions 2 and 3, 4 and 5 are mirrored in the axis of position 1; (0, 0) is a pair. The sines of r/c are those of c times 4/3, so that a pair across the axis moves without a change of the radius: (0, 0) is multiple. It is simple among the pairs on the axis, the others are couples of mirrored ones: the number is odd, three. The fourth is on the axis.", 4, 0, pairs=[(p(0, 0), p(0, 0), 3)], distinct=2)
@@ -211,7 +209,7 @@ def infinite_pairs():
         joints.append(((5 * c, q(0)), (q(0), 5 * s)))
     trammel, _ = coupler(joints, p(0, 0), ONE)
     middle = times(minus(joints[0][1], joints[0][0]), p("1/2", 0))
-    add("trammel", "sliders on a circle", trammel, "A and B move along two lines at right angles: so does every point of the circle of the diameter AB, each along a line through the meet of both (Cardan): infinitely many centers at infinity. The middle of AB moves on a circle about the meet, the only finite pair.", 1, 0, family="circlepoint-conic", pairs=[(middle, p(0, 0), 1)])
+    add("trammel", "sliders on a circle", trammel, "A and B move along two lines at right angles: so does every point of the circle of the diameter AB, each along a line through the meet of both (Cardan): infinitely many centers at infinity. The middle of AB moves on a circle about the meet, the only finite pair.", 1, 0, family="circle", pairs=[(middle, p(0, 0), 1)])
 
 
 def linkages():

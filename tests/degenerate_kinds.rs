@@ -134,15 +134,7 @@ fn facts_are_what_is_computed() {
     for line in lines() {
         let answer = oracle::solve(&line, &Request::default()).unwrap();
         let found = differences(&answer, &line["claims"]);
-        if line["claims"].get("open").is_some() {
-            assert!(
-                !found.is_empty(),
-                "{} is open no longer; remove the field",
-                line["id"]
-            );
-        } else {
-            assert!(found.is_empty(), "{}: {}", line["id"], found.join("; "));
-        }
+        assert!(found.is_empty(), "{}: {}", line["id"], found.join("; "));
     }
 }
 

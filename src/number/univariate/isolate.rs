@@ -139,6 +139,8 @@ fn isolate_simple(factor: &Factor) -> Result<(Vec<Interval>, Vec<Disc>), RootErr
     }
     let real = isolate_real(polynomial);
     let couples = (factor.degree() - real.len()) / 2;
+    // Anew: points that floats made equal would stay so.
+    let approximations = Approximations::start(polynomial, bits);
     let complex = isolate_complex(factor, couples, approximations, bits)?;
     Ok((real, complex))
 }

@@ -37,7 +37,7 @@ pub fn check(positions: &Five, family: &Value) -> Result<(), Defect> {
     match family["kind"].as_str() {
         Some("plane") => plane(positions, family),
         Some("circlepoint-cubic") => curve(&inverse, &family["coefficients"], 10),
-        Some("circlepoint-conic") => curve(&inverse, &family["coefficients"], 6),
+        Some("circle") => curve(&inverse, &family["coefficients"], 6),
         Some("line") => curve(&inverse, &family["coefficients"], 3),
         Some("centers") => any_curve(positions, &family["coefficients"]),
         Some("point-with-any-center") => {
