@@ -1,6 +1,6 @@
 //! Corpora of problems: named, seeded, and the same on every machine.
 //!
-//! A corpus is a list of problems as [`solve`](super::solve) takes them, each with meta fields that
+//! A corpus is a list of problems as [`solve`] takes them, each with meta fields that
 //! say what it is about, and their certified answers, joined by id. Those that are drawn come from a
 //! generator that depends on nothing but its seed; those that are written by hand are kept as they
 //! are. `claims` are facts that follow from how a problem was made, never from its answer.
