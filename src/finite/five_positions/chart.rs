@@ -144,7 +144,10 @@ impl<K: Kind> Chart<K> {
         if second.degree() != Some(1) {
             return None;
         }
-        let (quotient, _) = first.divide(&second)?;
+        let (quotient, remainder) = first.divide(&second)?;
+        if !remainder.is_zero() {
+            return None;
+        }
         let along = quotient.scaled(&Number::from(-1));
         let s = -(second.coefficient(0) / second.coefficient(1));
         let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
@@ -172,9 +175,13 @@ impl<K: Kind> Chart<K> {
         if !(power - &meets.resultant).is_zero() {
             return None;
         }
-        let [[a, b, _], [a1, b1, _]] = &self.conics;
-        let (a, b) = if a.is_zero() { (a1, b1) } else { (a, b) };
-        let n = -(b.evaluate(&s) / (2 * a.coefficient(0)));
+        let [[a, b, c], [a1, b1, c1]] = &self.conics;
+        let (a, b, c) = if a.is_zero() { (a1, b1, c1) } else { (a, b, c) };
+        let (a, b, c) = (a.coefficient(0), b.evaluate(&s), c.evaluate(&s));
+        if !(b.square() - 4 * &a * c).is_zero().is_yes() {
+            return None;
+        }
+        let n = -b / (2 * a);
         Some((s.clone(), self.point(&s, &n)))
     }
 

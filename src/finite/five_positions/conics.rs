@@ -87,6 +87,10 @@ pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
     if let Some(isolated) = charts().find_map(|chart| fourfold(&chart)) {
         return Some(Pairs::Isolated(Box::new(isolated)));
     }
+    // Only where the conics have a part in common all resultants vanish.
+    if charts().any(|chart| !chart.meets().resultant.is_zero()) {
+        return None;
+    }
     let line = charts().find_map(|chart| chart.common_line());
     let beside = line.and_then(|line| line.beside).map(|coordinates| Pair {
         place: Place::of(&coordinates),

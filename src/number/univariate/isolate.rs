@@ -132,17 +132,20 @@ pub fn real_roots(polynomials: &[Polynomial<Exact>]) -> Result<Vec<(RealRoot, us
 /// Intervals for the real roots, ascending, and discs for those above the real axis, of simple roots.
 fn isolate_simple(factor: &Factor) -> Result<(Vec<Interval>, Vec<Disc>), RootError> {
     let polynomial = factor.polynomial();
-    let bits = 64 + 2 * factor.degree() as u32;
+    let bits = first_bits(factor);
     let approximations = Approximations::from_floats(polynomial, bits);
     if let Some(found) = proven_at_once(factor, &approximations.points, bits) {
         return Ok(found);
     }
     let real = isolate_real(polynomial);
     let couples = (factor.degree() - real.len()) / 2;
-    // Anew: points that floats made equal would stay so.
-    let approximations = Approximations::start(polynomial, bits);
-    let complex = isolate_complex(factor, couples, approximations, bits)?;
+    let complex = isolate_complex(factor, couples)?;
     Ok((real, complex))
+}
+
+/// Bits of the first proposals.
+fn first_bits(factor: &Factor) -> u32 {
+    64 + 2 * factor.degree() as u32
 }
 
 /// Real and complex roots at once, where the points are good enough: as many discs as roots, disjoint,
@@ -184,16 +187,14 @@ fn proven_at_once(
 }
 
 /// A disc for each of the roots with positive imaginary part, of which there are so many.
-fn isolate_complex(
-    factor: &Factor,
-    couples: usize,
-    mut approximations: Approximations,
-    mut bits: u32,
-) -> Result<Vec<Disc>, RootError> {
+fn isolate_complex(factor: &Factor, couples: usize) -> Result<Vec<Disc>, RootError> {
     if couples == 0 {
         return Ok(Vec::new());
     }
     let polynomial = factor.polynomial();
+    let mut bits = first_bits(factor);
+    // Not from floats: points that these made equal would stay so.
+    let mut approximations = Approximations::start(polynomial, bits);
     loop {
         approximations.improve(polynomial, bits);
         if let Some(discs) = proven_discs(factor, couples, &approximations.points, bits) {

@@ -132,7 +132,8 @@ impl RealRoot {
     /// Newton's method without proof to half of the bits, a proof there, and one step more; `None`
     /// where that does not work out.
     fn leap(&self, bits: u32) -> Option<Ball> {
-        if self.interval.is_point() {
+        // Where 0 is inside, the size of the root is not known.
+        if self.interval.is_point() || self.interval.low.cmp0() != self.interval.high.cmp0() {
             return None;
         }
         let known = relative_bits(&self.interval).clamp(0, i64::from(bits));
