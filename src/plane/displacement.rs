@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::projective::ProjectivePoint;
-use crate::number::{Kind, Number};
+use crate::number::{Exact, Kind, Number};
 
 /// X = rotation · x + translation, |rotation| = 1: where a point x of the moving plane is in the
 /// fixed one.
@@ -14,7 +14,23 @@ pub struct Displacement<K> {
     pub translation: Point<K>,
 }
 
+impl Displacement<Exact> {
+    /// The same displacement in another kind that holds it exactly.
+    pub fn in_kind<K: Kind>(&self) -> Displacement<K> {
+        self.map(Number::<Exact>::in_kind)
+    }
+}
+
 impl<K: Kind> Displacement<K> {
+    /// The same displacement over another kind, each number converted.
+    pub fn map<L: Kind>(&self, convert: impl Fn(&Number<K>) -> Number<L>) -> Displacement<L> {
+        let point = |z: &Point<K>| Number::complex(convert(z.re()), convert(z.im()));
+        Displacement {
+            rotation: point(&self.rotation),
+            translation: point(&self.translation),
+        }
+    }
+
     /// No displacement.
     pub fn identity() -> Self {
         Displacement {

@@ -17,10 +17,7 @@ pub fn holds_one_pair(
     loop {
         let short = |x: &Number<Ball>| Number(x.0.with_precision(few));
         let point = |z: &Point<Ball>| Number::complex(short(z.re()), short(z.im()));
-        let rounded = positions.each_ref().map(|position| Displacement {
-            rotation: point(&position.rotation),
-            translation: point(&position.translation),
-        });
+        let rounded = positions.each_ref().map(|position| position.map(short));
         if test(&rounded, [&point(z), &point(m)], few).unwrap_or(false) {
             return true;
         }

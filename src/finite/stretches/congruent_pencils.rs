@@ -245,19 +245,11 @@ impl CongruentPencils {
             return Truth::No;
         };
         let squares = positions.displacements().iter().map(|position| {
-            let position = in_kind::<Radical>(position);
+            let position = position.in_kind::<Radical>();
             relation::distance_squared(&position.of(&circlepoint), &center)
         });
         let squares: Vec<Number<Radical>> = squares.collect();
         Truth::all(squares.windows(2).map(|pair| pair[0].equals(&pair[1])))
-    }
-}
-
-/// A rational displacement in another kind.
-pub fn in_kind<K: Kind>(position: &Displacement<Exact>) -> Displacement<K> {
-    Displacement {
-        rotation: position.rotation.in_kind(),
-        translation: position.translation.in_kind(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use super::congruent_pencils::{CongruentPencils, Dyad, in_kind};
+use super::congruent_pencils::{CongruentPencils, Dyad};
 use crate::finite::positions::Positions;
 use crate::linkage::passage::{Drive, Joint, Passage, Type, is_in_order};
 use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Real, Truth};
@@ -102,7 +102,7 @@ impl Wishes {
         let mut truth =
             within(&self.centers, &dyad.center) & within(&self.circlepoints, &dyad.circlepoint);
         if self.in_order && !truth.is_no() {
-            let places = positions.iter().map(|d| in_kind(d).of(&dyad.circlepoint));
+            let places = positions.iter().map(|d| d.in_kind().of(&dyad.circlepoint));
             truth = truth & one_way(&places.collect::<Vec<_>>());
         }
         match &self.beside {
@@ -122,7 +122,7 @@ impl Beside {
         let joints = |pair: [Point<K>; 2]| pair.map(|point| Joint::At(round(point)));
         let given = self.given.circlepoint.in_kind::<K>();
         let places = |position: &Displacement<Exact>| {
-            let position = in_kind::<K>(position);
+            let position = position.in_kind::<K>();
             joints([position.of(&given), position.of(&sought.circlepoint)])
         };
         Passage {

@@ -15,7 +15,6 @@ use super::{Arithmetic, ProblemError, Request};
 use crate::finite::five_positions::{conics, floats};
 use crate::finite::positions::Positions;
 use crate::number::{Ball, Exact, Number};
-use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 use found::Found;
 use known::Known;
@@ -92,11 +91,7 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
     let rounded = given.rounded::<f64>(&());
     let exact =
         |x: &Number<f64>| Number::<Exact>::from(Rational::from_f64(x.0).unwrap_or_default());
-    let point = |z: &Point<f64>| Number::complex(exact(z.re()), exact(z.im()));
-    let displacements = rounded.displacements().iter().map(|d| Displacement {
-        rotation: point(&d.rotation),
-        translation: point(&d.translation),
-    });
+    let displacements = rounded.displacements().iter().map(|d| d.map(exact));
     let displacements: Vec<Displacement<Exact>> = displacements.collect();
     let Ok(five) = <Five<Exact>>::try_from(displacements) else {
         return undecided(&mut attempt);
@@ -105,15 +100,7 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
         .displacements()
         .first_chunk()
         .and_then(floats::pairs);
-    let ball = |z: &Point<Exact>| {
-        let part =
-            |x: &Number<Exact>| Number::<Ball>::from(x.0.rational().cloned().unwrap_or_default());
-        Number::complex(part(z.re()), part(z.im()))
-    };
-    let positions = five.each_ref().map(|d| Displacement {
-        rotation: ball(&d.rotation),
-        translation: ball(&d.translation),
-    });
+    let positions = five.each_ref().map(Displacement::in_kind);
     let found = quick.map(|pairs| Found::floats(&pairs)).or_else(|| {
         let pairs = conics::pairs(&five);
         Found::exact(&five, pairs.as_ref(), &Known::new(), attempt.bits)
