@@ -350,6 +350,10 @@ fn stretches_of_centerpoint_curves() {
             "beside": {"circlepoint": ["1925/498", "-125/83"], "center": ["-3/4", "11/4"]},
             "driver": "sought", "crank_driven": false, "without_defects": false,
         }),
+        json!({
+            "beside": {"circlepoint": ["1925/498", "-125/83"], "center": ["-3/4", "11/4"]},
+            "driver": "sought", "least_transmission_angle": degrees("1"),
+        }),
     ] {
         let answer = of(tan_half("3/4"), wishes);
         assert!(

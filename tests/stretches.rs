@@ -242,6 +242,47 @@ fn turns_fully(pivots: &[Z; 2], joints: &[[Z; 2]]) -> Verdict {
     )
 }
 
+/// Whether all positions are on one branch and |cos γ| stays below a bound while the link at the first
+/// pivot drives from each to each, or turns fully.
+fn transmits(pivots: &[Z; 2], joints: &[[Z; 2]], bound: f64) -> Verdict {
+    let [p, q] = pivots;
+    let [a, b] = &joints[0];
+    let (crank, coupler, driven) = (abs(&(a - p)), abs(&(b - a)), abs(&(b - q)));
+    let base = abs(&(q - p));
+    let size = crank + coupler + driven + base;
+    let side = |[a, b]: &[Z; 2]| ((b - a).conj() * (q - a)).im().0;
+    let mut truth = Some(true);
+    for joint in joints {
+        let same = positive(side(joint) * side(&joints[0]), size.powi(4));
+        truth = both(truth, same);
+    }
+    let spare = |f: f64| (driven + coupler - f).min(f - (driven - coupler).abs());
+    let gates = [(base - crank).abs(), base + crank];
+    let [Some(inner), Some(outer)] = gates.map(|f| positive(spare(f), size)) else {
+        return None;
+    };
+    // From the direction of the base, or against it: from an open gate if there is one.
+    let middle = if inner { q - p } else { p - q };
+    let angles = joints
+        .iter()
+        .map(|[a, _]| angle(&((a - p) * middle.conj())));
+    let (least, greatest) = angles.fold((PI, -PI), |(low, high), x| (low.min(x), high.max(x)));
+    let crossed = positive(-least * greatest, 1.0)?;
+    let mut distances: Vec<f64> = joints.iter().map(|[a, _]| abs(&(q - a))).collect();
+    match (inner, outer) {
+        (true, true) => distances.extend(gates),
+        (false, false) if crossed => return Some(false),
+        (true, false) if crossed => distances.push(gates[0]),
+        (false, true) if crossed => distances.push(gates[1]),
+        _ => {}
+    }
+    for f in distances {
+        let cosine = (coupler * coupler + driven * driven - f * f) / (2.0 * coupler * driven);
+        truth = both(truth, positive(bound - cosine.abs(), 1.0));
+    }
+    truth
+}
+
 fn fulfilled(wishes: &Value, positions: &[[Z; 2]], center: &Z, circlepoint: &Z) -> Verdict {
     let mut truth = both(
         within(wishes.get("pivots_within"), center),
@@ -270,6 +311,10 @@ fn fulfilled(wishes: &Value, positions: &[[Z; 2]], center: &Z, circlepoint: &Z) 
         }
         if asked("without_defects") {
             truth = both(truth, moves_through(&pivots, &joints));
+        }
+        if let Some(least) = wishes.get("least_transmission_angle") {
+            let bound = float(&least["degrees"]).to_radians().cos();
+            truth = both(truth, transmits(&pivots, &joints, bound));
         }
     }
     truth
@@ -524,6 +569,26 @@ fn linkages() {
 }
 
 #[test]
+fn transmission_angles() {
+    cases(30, |positions, choice, [_, _, degrees, _]| {
+        let Some(given) = beside(&positions) else {
+            return [0, 0];
+        };
+        let driver = if choice % 2 == 0 { "given" } else { "sought" };
+        // The square of the cosine of 30° is rational, of 10° not.
+        let degrees = if choice < 4 { 30 } else { degrees };
+        let mut wishes = json!({
+            "beside": given, "driver": driver,
+            "least_transmission_angle": {"degrees": degrees.to_string()},
+        });
+        if choice % 4 == 0 {
+            wishes["without_defects"] = json!(true);
+        }
+        compare(&positions, &wishes)
+    });
+}
+
+#[test]
 fn degenerate_positions_are_named() {
     for case in degenerate() {
         let wishes = json!({
@@ -656,8 +721,9 @@ fn wrong_wishes_are_refused_with_their_place() {
         (json!([]), "wishes: an object was expected"),
         (
             json!({"least_transmission_angle": {"degrees": 40}}),
-            "unknown field",
+            "wishes.least_transmission_angle: this needs a link",
         ),
+        (json!({"least_angle": {"degrees": 40}}), "unknown field"),
         (
             json!({"crank_driven": true}),
             "wishes.crank_driven: this needs a link",

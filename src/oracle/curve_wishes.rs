@@ -1,24 +1,58 @@
 //! Reading what a designer wishes of a center and its circlepoint.
 
-use super::input::Fields;
+use super::input::{Angle, Fields};
 use super::positions::point;
+use super::wishes::least_angle;
 use super::{ProblemError, regions};
 use crate::finite::positions::Positions;
 use crate::finite::stretches::congruent_pencils::Dyad;
-use crate::finite::stretches::wishes::{Beside, Wishes};
+use crate::finite::stretches::wishes::{Beside, LeastTransmission, Wishes};
 use crate::linkage::passage::Drive;
-use crate::number::{Exact, Number};
+use crate::number::{Ball, Exact, Number};
 use crate::plane::region::Region;
 use crate::plane::{Point, relation};
 
 /// The fields that need a link given beside the one that is sought.
-const OF_LINKAGES: [&str; 3] = ["driver", "crank_driven", "without_defects"];
+const OF_LINKAGES: [&str; 4] = [
+    "driver",
+    "crank_driven",
+    "without_defects",
+    "least_transmission_angle",
+];
+
+/// Wishes as they are read: one of them is known to as many bits as one likes.
+pub struct Wished {
+    wishes: Wishes,
+    least_transmission_angle: Option<Angle>,
+}
+
+impl Wished {
+    /// The wishes, with bounds that differ by about 2^−bits where they are not rational.
+    pub fn bounded(&self, bits: u32) -> Option<Wishes> {
+        let mut wishes = self.wishes.clone();
+        if let (Some(angle), Some(beside)) = (&self.least_transmission_angle, &mut wishes.beside) {
+            let square_of_cosine = square_of_cosine(angle, bits)?;
+            beside.least_transmission = Some(LeastTransmission { square_of_cosine });
+        }
+        Some(wishes)
+    }
+}
+
+/// Two bounds, the same where it is rational.
+fn square_of_cosine(angle: &Angle, bits: u32) -> Option<[Number<Exact>; 2]> {
+    let exact = angle.exact().map(|angle| angle.cos().square());
+    if let Some(square) = exact.as_ref().and_then(|square| square.0.rational()) {
+        return Some([square.clone().into(), square.clone().into()]);
+    }
+    let square = angle.rounded::<Ball>(&bits).cos().square().0;
+    Some([square.lower()?.into(), square.upper()?.into()])
+}
 
 /// The field `wishes`; `None` where there is none.
 pub fn read(
     fields: &Fields<'_>,
     positions: Option<&Positions<Exact>>,
-) -> Result<Option<Wishes>, ProblemError> {
+) -> Result<Option<Wished>, ProblemError> {
     let Some(wishes) = fields.optional_object("wishes")? else {
         return Ok(None);
     };
@@ -33,11 +67,14 @@ pub fn read(
     {
         return Err(wishes.error(name, "this needs a link given by \"beside\""));
     }
-    Ok(Some(Wishes {
-        centers: region(&wishes, "pivots_within")?,
-        circlepoints: region(&wishes, "circlepoints_within")?,
-        in_order: wishes.flag("in_order")?,
-        beside,
+    Ok(Some(Wished {
+        least_transmission_angle: least_angle(&wishes)?,
+        wishes: Wishes {
+            centers: region(&wishes, "pivots_within")?,
+            circlepoints: region(&wishes, "circlepoints_within")?,
+            in_order: wishes.flag("in_order")?,
+            beside,
+        },
     }))
 }
 
@@ -62,6 +99,7 @@ fn beside(
         },
         crank_driven: wishes.flag("crank_driven")?,
         without_defects: wishes.flag("without_defects")?,
+        least_transmission: None,
     })
 }
 

@@ -2,28 +2,40 @@
 
 use serde_json::{Map, Value, json};
 
+use super::curve_wishes::Wished;
 use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, Request, output};
-use crate::finite::positions::Positions;
 use crate::finite::stretches::cells::{Spot, Stretch, stretches};
 use crate::finite::stretches::congruent_pencils::{CongruentPencils, Dyad};
-use crate::finite::stretches::wishes::Wishes;
-use crate::number::{Ball, Exact};
+use crate::number::Ball;
 use crate::plane::projective::ProjectivePoint;
 
 /// Adds the field to an answer. A stretch runs from one end to the other in the direction of its branch:
 /// on a closed branch the line from the focus to the center turns counterclockwise, on one to infinity it
-/// does so where the center is on the other side of the midline than the focus. The field is null, and named as undecided with the reason, where it is not known.
-pub fn extend(answer: &mut Map<String, Value>, given: &Given, wishes: &Wishes, request: &Request) {
-    let found = given
+/// does so where the center is on the other side of the midline than the focus. Its end is a ball, before
+/// which all wishes are fulfilled and beyond which one is not. The field is null, and named as undecided
+/// with the reason, where it is not known.
+pub fn extend(answer: &mut Map<String, Value>, given: &Given, wished: &Wished, request: &Request) {
+    let pencils = given
         .rational()
         .ok_or("cosines and sines that are not rational")
-        .and_then(|positions| decided(&positions, wishes));
-    let mut fields = match found {
-        Ok((pencils, list)) => sharpen(request.digits, |attempt| {
-            let shown = list.iter().map(|one| shown(one, &pencils, attempt));
-            Map::from_iter([("stretches".to_owned(), shown.collect())])
+        .and_then(|positions| {
+            CongruentPencils::of(&positions)
+                .map(|pencils| (positions, pencils))
+                .ok_or("only of a curve without a line or a circle as a part")
+        });
+    let mut fields = match pencils {
+        Ok((positions, pencils)) => sharpen(request.digits, |attempt| {
+            let list = wished
+                .bounded(attempt.bits)
+                .and_then(|wishes| stretches(&positions, &pencils, &wishes));
+            let shown = list.map(|list| {
+                let list = list.iter().map(|one| shown(one, &pencils, attempt));
+                list.collect::<Value>()
+            });
+            let name = "stretches (a wish is just fulfilled, or just not, all along a stretch)";
+            Map::from_iter([("stretches".to_owned(), attempt.decided(name, shown))])
         }),
         Err(reason) => Map::from_iter([
             ("stretches".to_owned(), Value::Null),
@@ -42,17 +54,6 @@ pub fn extend(answer: &mut Map<String, Value>, given: &Given, wishes: &Wishes, r
         fields.values_mut().for_each(to_floats);
     }
     answer.extend(fields);
-}
-
-fn decided(
-    positions: &Positions<Exact>,
-    wishes: &Wishes,
-) -> Result<(CongruentPencils, Vec<Stretch>), &'static str> {
-    let pencils = CongruentPencils::of(positions)
-        .ok_or("only of a curve without a line or a circle as a part")?;
-    let list = stretches(positions, &pencils, wishes)
-        .ok_or("a wish is just fulfilled, or just not, all along a stretch")?;
-    Ok((pencils, list))
 }
 
 fn shown(stretch: &Stretch, pencils: &CongruentPencils, attempt: &mut Attempt) -> Value {

@@ -226,7 +226,8 @@ fn insert(
     Some(())
 }
 
-fn least_angle(fields: &Fields<'_>) -> Result<Option<Angle>, ProblemError> {
+/// The field `least_transmission_angle`, from 0° to 90°.
+pub fn least_angle(fields: &Fields<'_>) -> Result<Option<Angle>, ProblemError> {
     let name = "least_transmission_angle";
     if !fields.has(name) {
         return Ok(None);

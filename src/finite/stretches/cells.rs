@@ -2,14 +2,15 @@
 //!
 //! A branch is a row of cells: between two neighbouring zeros of the limits no wish changes its truth,
 //! so that one pair of a cell decides for all of it. A center or a circlepoint at infinity ends every
-//! stretch.
+//! stretch. Where a wish is known within bounds, between the zeros for the one and for the other nothing
+//! is told: such a cell is an end of a stretch.
 
 use std::cmp::Ordering;
 
 use rug::Rational;
 
 use super::congruent_pencils::{CongruentPencils, Dyad};
-use super::wishes::Wishes;
+use super::wishes::{Fulfilled, Wishes};
 use crate::finite::positions::Positions;
 use crate::number::exact::rational_sqrt;
 use crate::number::univariate::{RealRoot, real_roots};
@@ -29,6 +30,8 @@ enum Slope {
     Rational(Rational),
     Root(RealRoot),
     Infinite,
+    /// Somewhere between two others, both finite.
+    Between(Box<[Slope; 2]>),
 }
 
 impl Slope {
@@ -36,7 +39,24 @@ impl Slope {
         match self {
             Slope::Rational(t) => Some([t, t]),
             Slope::Root(root) => Some([root.low(), root.high()]),
-            Slope::Infinite => None,
+            Slope::Infinite | Slope::Between(_) => None,
+        }
+    }
+
+    fn enclosure(&self, bits: u32) -> [Number<Ball>; 2] {
+        match self {
+            Slope::Rational(t) => [Number::one(), Number::from(t.clone())],
+            Slope::Root(root) => [Number::one(), root.enclosure(bits)],
+            Slope::Infinite => [Number::zero(), Number::one()],
+            Slope::Between(ends) => {
+                let [[_, s], [_, t]] = ends.each_ref().map(|end| end.enclosure(bits));
+                let unit = Number(Ball::with_radius(
+                    &Rational::new(),
+                    &Rational::from(1),
+                    bits,
+                ));
+                [Number::one(), (&s + &t + (s - t) * unit) / 2]
+            }
         }
     }
 }
@@ -67,6 +87,16 @@ struct Cell {
     interval: usize,
     sheet: Ordering,
     ascending: bool,
+}
+
+/// Whether the wishes are fulfilled in a cell.
+#[derive(Clone, Debug)]
+enum Told {
+    /// They are, for instance here.
+    Yes(Spot),
+    No,
+    /// With the lenient bounds they are, with the strict ones not.
+    Between,
 }
 
 /// A branch.
@@ -199,23 +229,24 @@ impl<'a> Curve<'a> {
 
     fn stretches_of(&self, branch: &Branch, place: usize) -> Option<Vec<Stretch>> {
         let Branch { cells, closed } = branch;
-        let mut samples = Vec::new();
-        for cell in cells {
-            samples.push(self.decided(*cell)?);
-        }
         let count = cells.len();
+        let told: Vec<Told> = cells
+            .iter()
+            .map(|cell| self.decided(*cell))
+            .collect::<Option<_>>()?;
+        let next = |here: usize| (*closed || here + 1 < count).then_some((here + 1) % count);
+        let before = |here: usize| (*closed || here > 0).then_some((here + count - 1) % count);
+        let is_yes = |here: usize| matches!(told[here], Told::Yes(_));
         // Whether a stretch goes on from this cell to the next one.
         let goes_on: Vec<bool> = (0..count)
             .map(|here| {
-                let next = (here + 1) % count;
-                (next > here || *closed)
-                    && samples[here].is_some()
-                    && samples[next].is_some()
+                is_yes(here)
+                    && next(here).is_some_and(is_yes)
                     && self.passes(&self.end_of(&cells[here]))
             })
             .collect();
         if *closed && goes_on.iter().all(|goes_on| *goes_on) {
-            let sample = samples.into_iter().flatten().next();
+            let sample = told.into_iter().find_map(Told::sample);
             return Some(sample.map_or_else(Vec::new, |sample| {
                 vec![Stretch {
                     branch: place,
@@ -224,7 +255,14 @@ impl<'a> Curve<'a> {
                 }]
             }));
         }
-        let begins = |here: usize| samples[here].is_some() && !goes_on[(here + count - 1) % count];
+        // A cell of which nothing is told must be the end of one stretch.
+        let mut ends_in_cells = 0;
+        let mut end = |beyond: Option<usize>, otherwise: Spot| {
+            let beyond = beyond.filter(|place| matches!(told[*place], Told::Between));
+            ends_in_cells += usize::from(beyond.is_some());
+            beyond.map_or(Some(otherwise), |place| self.within(&cells[place]))
+        };
+        let begins = |here: usize| is_yes(here) && !goes_on[(here + count - 1) % count];
         let mut list = Vec::new();
         for first in (0..count).filter(|here| begins(*here)) {
             let mut length = 1;
@@ -234,11 +272,25 @@ impl<'a> Curve<'a> {
             let last = (first + length - 1) % count;
             list.push(Stretch {
                 branch: place,
-                ends: Some([self.start_of(&cells[first]), self.end_of(&cells[last])]),
-                sample: samples[(first + length / 2) % count].clone()?,
+                ends: Some([
+                    end(before(first), self.start_of(&cells[first]))?,
+                    end(next(last), self.end_of(&cells[last]))?,
+                ]),
+                sample: told[(first + length / 2) % count].clone().sample()?,
             });
         }
-        Some(list)
+        let between = told.iter().filter(|told| matches!(told, Told::Between));
+        (between.count() == ends_in_cells).then_some(list)
+    }
+
+    /// A place somewhere in a cell.
+    fn within(&self, cell: &Cell) -> Option<Spot> {
+        let ends = [self.start_of(cell), self.end_of(cell)];
+        let sound = |end: &Spot| end.slope.bounds().is_some() && end.sheet == cell.sheet;
+        ends.iter().all(sound).then(|| Spot {
+            slope: Slope::Between(Box::new(ends.map(|end| end.slope))),
+            sheet: cell.sheet,
+        })
     }
 
     fn start_of(&self, cell: &Cell) -> Spot {
@@ -264,8 +316,8 @@ impl<'a> Curve<'a> {
         }
     }
 
-    /// A place in a cell, if the wishes are fulfilled there; the outer `None`: not decided.
-    fn decided(&self, cell: Cell) -> Option<Option<Spot>> {
+    /// What holds in a cell; `None` where that is not decided.
+    fn decided(&self, cell: Cell) -> Option<Told> {
         let bound = |upper: bool| self.zero(&cell, upper).slope;
         let (low, high) = (bound(false), bound(true));
         for attempt in 0..SAMPLES {
@@ -278,10 +330,12 @@ impl<'a> Curve<'a> {
                 slope: Slope::Rational(slope),
                 sheet: cell.sheet,
             };
-            match self.fulfilled(&spot) {
-                Truth::Yes => return Some(Some(spot)),
-                Truth::No => return Some(None),
-                Truth::Unknown => {}
+            let Fulfilled { surely, perhaps } = self.fulfilled(&spot);
+            match (surely, perhaps) {
+                (Truth::Yes, _) => return Some(Told::Yes(spot)),
+                (_, Truth::No) => return Some(Told::No),
+                (Truth::No, Truth::Yes) => return Some(Told::Between),
+                _ => {}
             }
         }
         None
@@ -291,10 +345,13 @@ impl<'a> Curve<'a> {
     fn passes(&self, spot: &Spot) -> bool {
         let pair = spot.pair(self.pencils, BITS[0]);
         let is_finite = |point: &ProjectivePoint<Ball>| !point.is_at_infinity().is_yes();
-        is_finite(&pair.center) && is_finite(&pair.circlepoint) && self.fulfilled(spot).is_yes()
+        is_finite(&pair.center)
+            && is_finite(&pair.circlepoint)
+            && self.fulfilled(spot).surely.is_yes()
     }
 
-    fn fulfilled(&self, spot: &Spot) -> Truth {
+    fn fulfilled(&self, spot: &Spot) -> Fulfilled {
+        let mut fulfilled = Fulfilled::from(Truth::Unknown);
         let mut bits = BITS[0];
         while bits <= BITS[1] {
             let pair = spot.pair(self.pencils, bits);
@@ -306,25 +363,30 @@ impl<'a> Curve<'a> {
                     circlepoint,
                 };
                 let positions = self.positions.displacements();
-                let truth = self.wishes.fulfilled(positions, &dyad, bits);
-                if !truth.is_unknown() {
-                    return truth;
+                fulfilled = self.wishes.fulfilled(positions, &dyad, bits);
+                if fulfilled.is_decided() {
+                    break;
                 }
             }
             bits *= 4;
         }
-        Truth::Unknown
+        fulfilled
+    }
+}
+
+impl Told {
+    fn sample(self) -> Option<Spot> {
+        match self {
+            Told::Yes(spot) => Some(spot),
+            Told::No | Told::Between => None,
+        }
     }
 }
 
 impl Spot {
     /// The pair there, enclosed with so many bits.
     pub fn pair(&self, pencils: &CongruentPencils, bits: u32) -> Dyad<ProjectivePoint<Ball>> {
-        let slope = match &self.slope {
-            Slope::Rational(t) => [Number::one(), Number::from(t.clone())],
-            Slope::Root(root) => [Number::one(), root.enclosure(bits)],
-            Slope::Infinite => [Number::zero(), Number::one()],
-        };
+        let slope = self.slope.enclosure(bits);
         let square = pencils.square(&slope);
         let s = match self.sheet {
             Ordering::Equal => Number::zero(),

@@ -35,11 +35,53 @@ pub struct Beside {
     /// All positions are on one circuit and between the same dead centres of the driving link, which
     /// passes them in order, one way or the other.
     pub without_defects: bool,
+    /// The transmission angle is at least so large while the driving link goes through all positions,
+    /// which are on one circuit and between the same dead centres.
+    pub least_transmission: Option<LeastTransmission>,
+}
+
+/// How small the transmission angle may become.
+#[derive(Clone, Debug)]
+pub struct LeastTransmission {
+    /// Two bounds of the square of its cosine; equal where that is rational.
+    pub square_of_cosine: [Number<Exact>; 2],
+}
+
+/// Whether wishes are fulfilled that are known within bounds.
+#[derive(Clone, Copy, Debug)]
+pub struct Fulfilled {
+    /// With the stricter bounds: then surely.
+    pub surely: Truth,
+    /// With the more lenient ones: where not, then surely not.
+    pub perhaps: Truth,
+}
+
+impl From<Truth> for Fulfilled {
+    fn from(truth: Truth) -> Self {
+        Fulfilled {
+            surely: truth,
+            perhaps: truth,
+        }
+    }
+}
+
+impl Fulfilled {
+    /// Whether both are decided.
+    pub fn is_decided(&self) -> bool {
+        !self.surely.is_unknown() && !self.perhaps.is_unknown()
+    }
+
+    fn and(self, other: Self) -> Self {
+        Fulfilled {
+            surely: self.surely & other.surely,
+            perhaps: self.perhaps & other.perhaps,
+        }
+    }
 }
 
 impl Wishes {
-    /// Polynomials in the slope of the pencils: where the truth of a wish changes along a branch, one of
-    /// them vanishes, or the center or the circlepoint is at infinity. `None` where a condition holds all
+    /// Polynomials in the slope of the pencils: where the truth of a wish, with either of its bounds,
+    /// changes along a branch, one of them vanishes, or the center or the circlepoint is at infinity. `None` where a condition holds all
     /// along the curve, so that no sign tells anything.
     pub fn limits(
         &self,
@@ -69,13 +111,14 @@ impl Wishes {
         if let Some(region) = &self.circlepoints {
             functions.extend(region.in_kind().edges(&dyad.circlepoint));
         }
-        if let Some(beside) = &self.beside {
+        if let Some(beside) = self.beside.as_ref().filter(|beside| beside.wishes()) {
             let passage = beside.passage(positions.displacements(), &dyad, |x| x);
-            if beside.crank_driven || beside.without_defects {
-                functions.push(passage.limit_of_type()?);
-            }
-            if beside.without_defects {
+            functions.push(passage.limit_of_type()?);
+            if beside.without_defects || beside.least_transmission.is_some() {
                 functions.extend(passage.limits_of_sides(beside.drive));
+            }
+            for square in beside.squares_of_cosines() {
+                functions.extend(passage.limits_of_transmission(beside.drive, &square.in_kind())?);
             }
         }
         for function in functions {
@@ -93,7 +136,7 @@ impl Wishes {
         positions: &[Displacement<Exact>],
         dyad: &Dyad<Point<Ball>>,
         bits: u32,
-    ) -> Truth {
+    ) -> Fulfilled {
         let within = |region: &Option<Region<Exact>>, point: &Point<Ball>| {
             region
                 .as_ref()
@@ -106,8 +149,10 @@ impl Wishes {
             truth = truth & one_way(&places.collect::<Vec<_>>());
         }
         match &self.beside {
-            Some(beside) if !truth.is_no() => truth & beside.fulfilled(positions, dyad, bits),
-            _ => truth,
+            Some(beside) if !truth.is_no() => {
+                Fulfilled::from(truth).and(beside.fulfilled(positions, dyad, bits))
+            }
+            _ => truth.into(),
         }
     }
 }
@@ -131,12 +176,30 @@ impl Beside {
         }
     }
 
+    /// Whether anything is wished of the linkage.
+    fn wishes(&self) -> bool {
+        self.crank_driven || self.without_defects || self.least_transmission.is_some()
+    }
+
+    /// The bounds of the square of the cosine of the transmission angle, each once.
+    fn squares_of_cosines(&self) -> Vec<&Number<Exact>> {
+        let Some(LeastTransmission { square_of_cosine }) = &self.least_transmission else {
+            return Vec::new();
+        };
+        let [low, high] = square_of_cosine;
+        if low.equals(high).is_yes() {
+            vec![low]
+        } else {
+            vec![low, high]
+        }
+    }
+
     fn fulfilled(
         &self,
         positions: &[Displacement<Exact>],
         sought: &Dyad<Point<Ball>>,
         bits: u32,
-    ) -> Truth {
+    ) -> Fulfilled {
         // Roots of constants need a precision.
         let round = |point: Point<Ball>| {
             let part = |x: &Number<Ball>| Number(x.0.with_precision(bits));
@@ -156,7 +219,32 @@ impl Beside {
         if self.without_defects && !truth.is_no() {
             truth = truth & known(self.passes(&passage, turns_fully, positions));
         }
-        truth
+        match &self.least_transmission {
+            Some(least) if !truth.is_no() => {
+                Fulfilled::from(truth).and(self.transmits(&passage, least))
+            }
+            _ => truth.into(),
+        }
+    }
+
+    /// Whether the transmission angle stays large enough.
+    fn transmits(&self, passage: &Passage<Ball>, least: &LeastTransmission) -> Fulfilled {
+        match passage.branch(self.drive) {
+            None => return Truth::Unknown.into(),
+            Some(reached) if reached.contains(&false) => return Truth::No.into(),
+            Some(_) => {}
+        }
+        let cosines = passage.transmission(self.drive);
+        let [surely, perhaps] = least.square_of_cosine.each_ref().map(|bound| {
+            let bound = bound.in_kind::<Ball>();
+            cosines.as_ref().map_or(Truth::Unknown, |cosines| {
+                let within = |cosine: &Number<Ball>| {
+                    Truth::of_sign(cosine.square().compare(&bound), Ordering::is_le)
+                };
+                Truth::all(cosines.iter().map(within))
+            })
+        });
+        Fulfilled { surely, perhaps }
     }
 
     /// Whether the driving link reaches all positions without a dead centre, one after the other.

@@ -10,15 +10,42 @@ impl<K: Kind> Passage<K> {
     /// For the type, and for what a gate allows: ∏ (a ± b ± c ± d) over all signs, for the lengths of the
     /// links. `None` where a joint is at infinity.
     pub fn limit_of_type(&self) -> Option<Number<K>> {
-        let [p, q] = &self.pivots;
-        let [a, b] = self.joints.first()?;
-        let square =
-            |x: &Joint<K>, y: &Joint<K>| Some(relation::distance_squared(x.point()?, y.point()?));
-        let [a, b, c, d] = [square(p, a)?, square(a, b)?, square(b, q)?, square(p, q)?];
-        // Of the squares: (√a ± √b)² − (√c ± √d)² = e ± 2√ab ± 2√cd.
+        let [a, b, c, d] = self.squares()?;
+        // (√a ± √b)² − (√c ± √d)² = e ± 2√ab ± 2√cd.
         let e = &a + &b - &c - &d;
         let product = a * b;
         Some((e.square() + 4 * &product - 4 * c * d).square() - 16 * e.square() * product)
+    }
+
+    /// For |cos γ| ≤ √C, beside all others: in one of the positions, or in a gate, it is √C. With the
+    /// diagonal f from the driving link to the other pivot, which in a gate is |d ± a|,
+    /// cos γ = (b² + c² − f²)/2bc. `None` where a joint is at infinity.
+    pub fn limits_of_transmission(
+        &self,
+        drive: Drive,
+        square_of_cosine: &Number<K>,
+    ) -> Option<Vec<Number<K>>> {
+        let passage = self.seen_from(drive);
+        let [a, b, c, d] = passage.squares()?;
+        let bound = 4 * square_of_cosine * &b * &c;
+        // (e − 2√ad)² − bound times the same with the other sign.
+        let e = &b + &c - &a - &d;
+        let product = a * d;
+        let sum = e.square() + 4 * &product - &bound;
+        let mut limits = vec![sum.square() - 16 * e.square() * product];
+        for [driving, _] in &passage.joints {
+            let f = square_of_distance(driving, &passage.pivots[1])?;
+            limits.push((&b + &c - f).square() - &bound);
+        }
+        Some(limits)
+    }
+
+    /// a², b², c², d² of the links A₀A, AB, BB₀ and the base A₀B₀; `None` where a joint is at infinity.
+    fn squares(&self) -> Option<[Number<K>; 4]> {
+        let [p, q] = &self.pivots;
+        let [a, b] = self.joints.first()?;
+        let square = square_of_distance;
+        Some([square(p, a)?, square(a, b)?, square(b, q)?, square(p, q)?])
     }
 
     /// For the sides on which the joints are: beside the type all that branch and order depend on, but
@@ -35,6 +62,10 @@ impl<K: Kind> Passage<K> {
             .map(|[x, y, z]| twice_area(x, y, z))
             .collect()
     }
+}
+
+fn square_of_distance<K: Kind>(x: &Joint<K>, y: &Joint<K>) -> Option<Number<K>> {
+    Some(relation::distance_squared(x.point()?, y.point()?))
 }
 
 #[cfg(test)]
@@ -93,5 +124,21 @@ mod tests {
         assert_eq!(vanish(four_bar((2, 3), (4, 2), 8)), [true, false]);
         assert_eq!(vanish(four_bar((2, 3), (4, 6), 9)), [false, true]);
         assert_eq!(vanish(four_bar((2, 3), (4, 3), 8)), [false, false]);
+    }
+    #[test]
+    fn a_transmission_angle_at_its_least_is_on_a_limit() {
+        // γ at B between AB and BB₀, driven at A₀.
+        let at_limit = |passage: Passage<Exact>, square: Number<Exact>| {
+            let limits = passage.limits_of_transmission(Drive::First, &square);
+            limits.is_some_and(|limits| limits.iter().any(|limit| limit.is_zero().is_yes()))
+        };
+        // 45° in the position.
+        let passage = || four_bar((0, 2), (3, 5), 3);
+        assert!(at_limit(passage(), Number::ratio(1, 2)));
+        assert!(!at_limit(passage(), Number::ratio(1, 3)));
+        // a : b : c : d = 15 : 24 : 7 : 20, 90° in the position, cos γ = ±25/14 for f = 20 ± 15.
+        let passage = || four_bar((0, 1875), (2808, 819), 2500);
+        assert!(at_limit(passage(), Number::zero()));
+        assert!(at_limit(passage(), Number::ratio(625, 196)));
     }
 }

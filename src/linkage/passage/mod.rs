@@ -21,7 +21,7 @@ pub use grashof::Type;
 pub use joint::Joint;
 pub use order::is_in_order;
 
-use crate::number::Real;
+use crate::number::Kind;
 
 /// A linkage A₀ABB₀ with its joints A, B in each of several positions.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ impl Drive {
     pub const ALL: [Drive; 2] = [Drive::First, Drive::Second];
 }
 
-impl<K: Real> Passage<K> {
+impl<K: Kind> Passage<K> {
     /// The same linkage with A and B exchanged.
     fn exchanged(&self) -> Self {
         let [a, b] = &self.pivots;
