@@ -125,6 +125,13 @@
 //! assert_eq!(answer["PO_a"], json!({"exact": "12/25"}));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! # Testing other programs
+//!
+//! As a development dependency, [`testing`] compares what a solver in `f64` finds with the certified
+//! answer: what it missed, what it invented, and how far the rest is off, in units in the last place and
+//! beside what rounding the problem may cost. `examples/check_a_solver.rs` shows what that says of a
+//! solver that is wrong.
 
 pub mod curvature;
 pub mod finite;
@@ -136,3 +143,9 @@ pub mod oracle;
 pub mod plane;
 pub mod report;
 pub mod scenes;
+pub mod testing;
+
+/// The commands and the code of the README, of which the code is run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

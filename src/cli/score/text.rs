@@ -182,11 +182,13 @@ pub fn side_by_side(problem: &Problem, asked: &Asked) -> String {
         return text;
     };
     for line in &verdict.lines {
-        let digits = line.digits.map(|digits| format!(", {digits:.1} digits"));
+        let digits = line
+            .closeness
+            .map(|closeness| format!(", {:.1} digits", closeness.digits()));
         text += &format!(
             "\n{}: {}{}\n",
             line.place,
-            word(line.mark),
+            line.mark,
             digits.unwrap_or_default()
         );
         for (name, side) in [("certified", &line.certified), ("given", &line.given)] {
@@ -194,16 +196,4 @@ pub fn side_by_side(problem: &Problem, asked: &Asked) -> String {
         }
     }
     text
-}
-
-fn word(mark: Mark) -> &'static str {
-    match mark {
-        Mark::Found => "found",
-        Mark::Missed => "missed",
-        Mark::Invented => "invented",
-        Mark::OfFamily => "one of infinitely many, or given once more",
-        Mark::Right => "right",
-        Mark::Wrong => "wrong",
-        Mark::Unstated => "not stated",
-    }
 }

@@ -1,5 +1,6 @@
 //! How far a given part lies from the certified one, without rounding either.
 
+use rug::float::Round;
 use rug::{Float, Rational};
 
 use super::number::Known;
@@ -23,10 +24,8 @@ pub fn error(certified: &Part, given: &Part, scale: &Rational) -> Option<Rationa
         }
         (Part::Ratio(certified), Part::Ratio(given)) => of_ratio(certified, given),
         (Part::Degrees(certified), Part::Degrees(given)) => {
-            let turn = Rational::from(360);
-            let difference = Rational::from(&certified.value - &given.value);
-            let turns = Rational::from(&difference / &turn).round();
-            let distance = (difference - turns * turn).abs() + &certified.radius;
+            let difference = difference_of_angles(&certified.value, &given.value);
+            let distance = difference.abs() + &certified.radius;
             let size = certified.value.clone().abs().max(radian());
             Some(distance / size)
         }
@@ -59,14 +58,87 @@ pub fn size(part: &Part) -> Rational {
     }
 }
 
-/// Correct digits at this relative error: at most 50, those of the certified answers.
-pub fn digits(error: &Rational) -> f64 {
-    const MOST: f64 = 50.0;
-    if error.is_zero() {
-        return MOST;
+/// How close what is given comes to what is certified.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closeness {
+    /// The relative error; points are measured by their largest coordinate.
+    pub relative: f64,
+    /// Units in the last place of a double: of all numbers, each in its own units, the worst. Correctly
+    /// rounded is 0.5 at most.
+    pub ulps: f64,
+}
+
+impl Closeness {
+    /// Correct digits: at most 50, those of the certified answers.
+    pub fn digits(&self) -> f64 {
+        const MOST: f64 = 50.0;
+        if self.relative == 0.0 {
+            return MOST;
+        }
+        (-self.relative.log10()).clamp(0.0, MOST)
     }
-    let log = Float::with_val(64, error).log10().to_f64();
-    (-log).clamp(0.0, MOST)
+
+    /// The error of a part.
+    pub fn of_part(relative: &Rational, certified: &Part, given: &Part) -> Self {
+        Closeness {
+            relative: relative.to_f64(),
+            ulps: ulps(certified, given),
+        }
+    }
+
+    /// The error of the parts that both state.
+    pub fn of_member(relative: &Rational, certified: &Member, given: &Member) -> Self {
+        let worst = given.parts.iter().filter_map(|(name, part)| {
+            let (_, right) = certified.parts.iter().find(|(other, _)| other == name)?;
+            Some(ulps(right, part))
+        });
+        Closeness {
+            relative: relative.to_f64(),
+            ulps: worst.fold(0.0, f64::max),
+        }
+    }
+}
+
+fn ulps(certified: &Part, given: &Part) -> f64 {
+    let pairs: Vec<(Rational, Rational)> = match (certified, given) {
+        (Part::Numbers(certified), Part::Numbers(given)) => {
+            let values = certified.iter().zip(given);
+            values
+                .map(|(x, y)| (x.value.clone(), y.value.clone()))
+                .collect()
+        }
+        (Part::Ratio(certified), Part::Ratio(given)) => scaled(certified, given)
+            .map(|scaled| {
+                let values = certified.iter().zip(scaled);
+                values.map(|(x, y)| (x.value.clone(), y)).collect()
+            })
+            .unwrap_or_default(),
+        (Part::Degrees(certified), Part::Degrees(given)) => {
+            let value = certified.value.clone();
+            let near = &value + difference_of_angles(&given.value, &value);
+            vec![(value, near)]
+        }
+        _ => Vec::new(),
+    };
+    let unit = |x: &Rational| Rational::from(1) << (exponent(x).max(-1022) - 52);
+    let errors = pairs
+        .into_iter()
+        .map(|(x, y)| ((&x - y).abs() / unit(&x)).to_f64());
+    errors.fold(0.0, f64::max)
+}
+
+/// e with 2^e ≤ |x| < 2^(e + 1); the least one of doubles for zero.
+fn exponent(x: &Rational) -> i32 {
+    let float = Float::with_val_round(53, x, Round::Zero).0;
+    float.get_exp().map_or(-1022, |exponent| exponent - 1)
+}
+
+/// From the second to the first, by half a turn at most.
+fn difference_of_angles(x: &Rational, y: &Rational) -> Rational {
+    let turn = Rational::from(360);
+    let difference = Rational::from(x - y);
+    let turns = Rational::from(&difference / &turn).round();
+    difference - turns * turn
 }
 
 fn radian() -> Rational {
@@ -93,8 +165,14 @@ fn farthest(
     Some(differences.fold(Rational::new(), Rational::max))
 }
 
-/// Both scaled so that the largest certified number is the same.
+/// By how much two lists of numbers differ that are known up to a factor.
 fn of_ratio(certified: &[Known], given: &[Known]) -> Option<Rational> {
+    let distance = farthest(certified, scaled(certified, given)?.into_iter())?;
+    Some(distance / largest(certified))
+}
+
+/// The second, scaled so that the largest certified number is the same.
+fn scaled(certified: &[Known], given: &[Known]) -> Option<Vec<Rational>> {
     let place = (0..certified.len()).max_by(|&i, &j| {
         let size = |k: usize| certified.get(k).map(|known| known.value.clone().abs());
         size(i).cmp(&size(j))
@@ -104,10 +182,8 @@ fn of_ratio(certified: &[Known], given: &[Known]) -> Option<Rational> {
         return None;
     }
     let factor = Rational::from(leading / other);
-    let scaled = given
-        .iter()
-        .map(|known| Rational::from(&known.value * &factor));
-    farthest(certified, scaled).map(|distance| distance / leading.clone().abs())
+    let scaled = given.iter().map(|known| (&known.value * &factor).into());
+    Some(scaled.collect())
 }
 
 #[cfg(test)]
@@ -163,8 +239,36 @@ mod tests {
 
     #[test]
     fn digits_of_errors_far_below_floats() {
-        assert_eq!(digits(&Rational::new()), 50.0);
-        assert!((digits(&Rational::from((1, 1_000_000))) - 6.0).abs() < 1e-9);
-        assert_eq!(digits(&Rational::from(7)), 0.0);
+        let digits = |relative: f64| {
+            let closeness = Closeness {
+                relative,
+                ulps: 0.0,
+            };
+            closeness.digits()
+        };
+        assert_eq!(digits(0.0), 50.0);
+        assert!((digits(1e-6) - 6.0).abs() < 1e-9);
+        assert_eq!(digits(7.0), 0.0);
+    }
+
+    #[test]
+    fn units_in_the_last_place_are_those_of_each_number() {
+        let third = Rational::from((1, 3));
+        let known = |value: &Rational| Known {
+            value: value.clone(),
+            radius: Rational::new(),
+        };
+        let double = |x: f64| Rational::from_f64(x).unwrap();
+        let next = f64::from_bits((1.0f64 / 3.0).to_bits() + 1);
+        let right = Part::Numbers(vec![known(&third), known(&Rational::from(1000))]);
+        let given = |x: f64, y: f64| Part::Numbers(vec![known(&double(x)), known(&double(y))]);
+        assert!(ulps(&right, &given(1.0 / 3.0, 1000.0)) <= 0.5);
+        let of_next = ulps(&right, &given(next, 1000.0));
+        assert!((0.5..1.0).contains(&of_next), "{of_next}");
+        assert_eq!(ulps(&right, &given(1.0 / 3.0, 1000.0 + 2e-12)), 18.0);
+        // Of a power of two the unit is that above it.
+        let one = Part::Numbers(vec![known(&Rational::from(1))]);
+        let above = Part::Numbers(vec![known(&double(1.0 + f64::EPSILON))]);
+        assert_eq!(ulps(&one, &above), 1.0);
     }
 }

@@ -16,6 +16,7 @@ mod shape;
 mod tally;
 mod verdict;
 
+pub use compare::Closeness;
 pub use read::Misread;
 pub use shape::Shape;
 pub use tally::{Case, Outcome, Spread, Tally, by_corpus, tallies};

@@ -1,9 +1,11 @@
 //! One answer of a candidate against the certified one.
 
+use std::fmt;
+
 use rug::Rational;
 use serde_json::Value;
 
-use super::compare;
+use super::compare::{self, Closeness};
 use super::family::Positions;
 use super::matching;
 use super::number::Known;
@@ -41,6 +43,20 @@ pub enum Mark {
     Unstated,
 }
 
+impl fmt::Display for Mark {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Mark::Found => "found",
+            Mark::Missed => "missed",
+            Mark::Invented => "invented",
+            Mark::OfFamily => "one of infinitely many, or given once more",
+            Mark::Right => "right",
+            Mark::Wrong => "wrong",
+            Mark::Unstated => "not stated",
+        })
+    }
+}
+
 /// Certified and given side by side.
 #[derive(Clone, Debug)]
 pub struct Line {
@@ -52,8 +68,8 @@ pub struct Line {
     pub certified: Option<String>,
     /// What is given.
     pub given: Option<String>,
-    /// Correct digits, of numbers that are found.
-    pub digits: Option<f64>,
+    /// How close it is, of numbers that are found.
+    pub closeness: Option<Closeness>,
 }
 
 /// The verdict on one answer.
@@ -75,7 +91,8 @@ impl Verdict {
 
     /// Correct digits of what is found.
     pub fn digits(&self) -> impl Iterator<Item = f64> {
-        self.lines.iter().filter_map(|line| line.digits)
+        let found = self.lines.iter().filter_map(|line| line.closeness);
+        found.map(|closeness| closeness.digits())
     }
 
     /// Nothing missed, invented or wrong.
@@ -252,13 +269,13 @@ impl Judge<'_> {
             (Some(_), true) => self.line(place, Mark::Right, Some(texts.0), Some(texts.1), None),
             (None, true) => self.line(place, Mark::Wrong, Some(texts.0), Some(texts.1), None),
             (Some(error), false) => {
-                let digits = compare::digits(error);
+                let closeness = Closeness::of_part(error, certified, given);
                 self.line(
                     place,
                     Mark::Found,
                     Some(texts.0),
                     Some(texts.1),
-                    Some(digits),
+                    Some(closeness),
                 );
             }
             (None, false) => {
@@ -304,10 +321,11 @@ impl Judge<'_> {
             let text = shown_member(member);
             match matched {
                 Some((other, error)) => {
-                    let digits = has_numbers(other).then(|| compare::digits(error));
+                    let closeness =
+                        has_numbers(other).then(|| Closeness::of_member(error, member, other));
                     let other = shown_member(other);
                     let mark = if *needed { Mark::Found } else { Mark::OfFamily };
-                    self.line(place, mark, Some(text), Some(other), digits);
+                    self.line(place, mark, Some(text), Some(other), closeness);
                 }
                 None if *needed => self.line(place, Mark::Missed, Some(text), None, None),
                 None => {}
@@ -377,14 +395,14 @@ impl Judge<'_> {
         mark: Mark,
         certified: Option<String>,
         given: Option<String>,
-        digits: Option<f64>,
+        closeness: Option<Closeness>,
     ) {
         self.verdict.lines.push(Line {
             place: place.to_owned(),
             mark,
             certified,
             given,
-            digits,
+            closeness,
         });
     }
 

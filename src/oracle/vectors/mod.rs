@@ -27,7 +27,7 @@ pub use lint::defects_of_form;
 pub use store::{Entry, Folder, StoreError, sha256};
 
 /// Raised whenever a generator would draw other problems.
-pub const GENERATOR: u32 = 1;
+pub const GENERATOR: u32 = 2;
 
 /// Digits of the certified answers.
 pub const DIGITS: u32 = 50;

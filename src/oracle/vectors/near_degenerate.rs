@@ -63,19 +63,6 @@ pub fn four_positions(draw: &mut Draw) -> Vec<Problem> {
     problems
 }
 
-/// Near these the complex roots of the eliminant are not separated in reasonable time.
-const NOT_ANSWERED: [&str; 9] = [
-    "four-parallel",
-    "four-parallel-on-a-circle",
-    "translations",
-    "translations-on-a-circle",
-    "translations-on-a-line",
-    "four-translations-on-a-circle-one-off",
-    "three-and-two-parallel",
-    "half-turns-only",
-    "symmetric",
-];
-
 /// The degenerate five positions that are given by cosine and sine.
 fn bases() -> Vec<(String, Vec<Position>)> {
     let lines = Corpus::named("degenerate-five-positions").map(Corpus::lines);
@@ -88,8 +75,7 @@ fn bases() -> Vec<(String, Vec<Position>)> {
                 problem["positions"].as_array()?.iter().map(read).collect();
             // Cosines and sines of too many digits would only make the file longer.
             let is_short = problem["positions"].to_string().len() < 600;
-            let is_answered = !NOT_ANSWERED.contains(&name.as_str());
-            (is_short && is_answered).then_some((name, positions?))
+            is_short.then_some((name, positions?))
         })
         .collect()
 }
