@@ -22,7 +22,7 @@ pub fn sharpen(
     digits: u32,
     answer: impl Fn(&mut Attempt) -> Map<String, Value>,
 ) -> Map<String, Value> {
-    let needed = digits.saturating_mul(4).saturating_add(64);
+    let needed = bits_for(digits);
     let mut bits = needed;
     loop {
         let mut attempt = Attempt::new(digits, bits);
@@ -38,7 +38,17 @@ pub fn sharpen(
     }
 }
 
+/// Bits of the first attempt.
+fn bits_for(digits: u32) -> u32 {
+    digits.saturating_mul(4).saturating_add(64)
+}
+
 impl Attempt {
+    /// Whether fewer bits have left something undecided.
+    pub fn is_repeated(&self) -> bool {
+        self.bits > bits_for(self.digits)
+    }
+
     /// An attempt to so many bits.
     pub fn new(digits: u32, bits: u32) -> Self {
         Attempt {

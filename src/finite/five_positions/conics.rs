@@ -6,8 +6,8 @@ use super::chart::{Chart, MeetOnLine, Meets};
 use super::conditions::{Coordinates, finite_pair, rows};
 use crate::number::exact::primitive;
 use crate::number::linear::{determinant, integer_kernel};
-use crate::number::univariate::{ComplexRoot, Polynomial, RealRoot, isolate};
-use crate::number::{Ball, Complex, Exact, Kind, Number};
+use crate::number::univariate::{ComplexRoot, Polynomial, RealRoot, isolate, surds};
+use crate::number::{Ball, Complex, Exact, Kind, Number, Surd};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 
@@ -301,6 +301,22 @@ impl Isolated {
             }
         })
         .collect()
+    }
+
+    /// The coordinates of the real pairs, in the same order, as sums of square roots where they are.
+    pub fn surds(&self) -> Vec<Option<Coordinates<Surd>>> {
+        let whole = self.parts.iter();
+        let whole = whole.fold(Poly::from_integers(&[1]), |all, (_, part)| all * part);
+        let real = self.roots.iter().filter_map(|root| match root {
+            Root::Real(root, _) => Some(root),
+            Root::Complex(..) => None,
+        });
+        let real: Vec<&RealRoot> = real.collect();
+        let convert = |x: &Number<Exact>| Number::<Surd>::from(rational(x));
+        let roots = surds(&whole, &real).into_iter();
+        roots
+            .map(|root| Some(self.meet.at(&root?, convert)))
+            .collect()
     }
 
     /// One of each couple of conjugate pairs, to so many bits of the root.

@@ -41,6 +41,7 @@ mod radical;
 mod real_root;
 mod square_free;
 mod sturm;
+mod surds;
 
 pub use complex_root::ComplexRoot;
 pub use division::PseudoQuotient;
@@ -53,3 +54,4 @@ pub use quadratic::{Quadratic, QuadraticRoots};
 pub use radical::Radical;
 pub use real_root::RealRoot;
 pub use sturm::SturmSequence;
+pub use surds::surds;

@@ -7,7 +7,7 @@ use super::known::{Alternates, Known};
 use crate::finite::five_positions::conics::{Isolated, Pair, Pairs, Place};
 use crate::finite::five_positions::enclosed;
 use crate::finite::five_positions::families::{self, Family};
-use crate::number::{Ball, Complex, Exact, Number};
+use crate::number::{Ball, Complex, Exact, Number, Surd};
 use crate::plane::Point;
 
 /// A real pair with its coordinates h, x, y, X, Y, p, q.
@@ -17,6 +17,8 @@ pub struct Real {
     pub multiplicity: usize,
     /// How often it is not known already.
     pub left: usize,
+    /// The coordinates, where they are known to be sums of square roots.
+    pub surds: Option<[Number<Surd>; 7]>,
 }
 
 impl Real {
@@ -28,6 +30,7 @@ impl Real {
             place: pair.place,
             multiplicity: pair.multiplicity,
             left: pair.multiplicity,
+            surds: None,
         }
     }
 
@@ -95,12 +98,23 @@ impl Found {
         }
     }
 
+    /// Adds to the real pairs what they are as sums of square roots.
+    pub fn with_surds(mut self, pairs: &Pairs) -> Self {
+        if let Pairs::Isolated(isolated) = pairs {
+            for (pair, surds) in self.real.iter_mut().zip(isolated.surds()) {
+                pair.surds = surds;
+            }
+        }
+        self
+    }
+
     fn isolated(isolated: &Isolated, known: &Known, bits: u32) -> Found {
         let real = isolated.real(bits).into_iter().map(|pair| Real {
             coordinates: pair.coordinates,
             place: pair.place,
             multiplicity: pair.multiplicity,
             left: pair.multiplicity,
+            surds: None,
         });
         let mut real: Vec<Real> = real.collect();
         let alternates = if known.is_empty() {
@@ -150,6 +164,7 @@ impl Found {
                 place,
                 multiplicity: 1,
                 left: 1,
+                surds: None,
             }
         });
         let complex = pairs.iter().filter(|pair| !is_real(pair)).map(|pair| {
@@ -186,6 +201,7 @@ impl Found {
                 coordinates,
                 multiplicity: 1,
                 left: 1,
+                surds: None,
             })
         });
         let complex = pairs.complex.into_iter().map(|coordinates| {

@@ -64,7 +64,16 @@ fn certified(
         let bits = attempt.bits;
         let positions = five(&given.rounded::<Ball>(&bits));
         let found = match (exact, &positions) {
-            (Some((five, pairs)), _) => Found::exact(five, pairs.as_ref(), known, bits),
+            (Some((five, pairs)), _) => {
+                let found = Found::exact(five, pairs.as_ref(), known, bits);
+                match pairs {
+                    // What enclosures leave open, exact numbers may decide.
+                    Some(pairs) if attempt.is_repeated() => {
+                        found.map(|found| found.with_surds(pairs))
+                    }
+                    _ => found,
+                }
+            }
             (None, Some(positions)) => Found::enclosed(positions, bits),
             (None, None) => None,
         };

@@ -77,9 +77,15 @@ impl Writer<'_> {
         }
         let points: Vec<[Point<Ball>; 2]> =
             pairs.iter().map(|(_, points)| points.clone()).collect();
-        let finite = points.iter().cloned().enumerate();
+        let finite = pairs.iter().enumerate();
         let mut dyads: Vec<Dyad> = finite
-            .map(|(place, points)| Dyad::finite(place, points))
+            .map(|(place, (pair, points))| {
+                let dyad = Dyad::finite(place, points.clone());
+                match &pair.surds {
+                    Some(coordinates) => dyad.exactly(finite_pair(coordinates)),
+                    None => dyad,
+                }
+            })
             .collect();
         dyads.extend(at_infinity);
         let bits = self.attempt.bits;

@@ -18,16 +18,32 @@ pub struct Dyad {
     pub circlepoint: Joint<Ball>,
     /// In the fixed plane.
     pub center: Joint<Ball>,
+    /// Both in exact numbers, where they are known.
+    exact: Option<[Joint<Surd>; 2]>,
 }
 
 impl Dyad {
+    fn new(name: Value, circlepoint: Joint<Ball>, center: Joint<Ball>) -> Self {
+        let exact = rational(&circlepoint).zip(rational(&center));
+        Dyad {
+            name,
+            circlepoint,
+            center,
+            exact: exact.map(Into::into),
+        }
+    }
+
+    /// The same pair in exact numbers.
+    pub fn exactly(self, points: [Point<Surd>; 2]) -> Self {
+        Dyad {
+            exact: Some(points.map(Joint::At)),
+            ..self
+        }
+    }
+
     /// A finite pair.
     pub fn finite(place: usize, [circlepoint, center]: [Point<Ball>; 2]) -> Self {
-        Dyad {
-            name: json!(place),
-            circlepoint: Joint::At(circlepoint),
-            center: Joint::At(center),
-        }
+        Dyad::new(json!(place), Joint::At(circlepoint), Joint::At(center))
     }
 
     /// A point on a straight line; the center is in the direction in which the answer shows it.
@@ -37,11 +53,12 @@ impl Dyad {
         direction: &Point<Ball>,
         shown: &Value,
     ) -> Self {
-        Dyad {
-            name: json!({"at_infinity": place}),
-            circlepoint: Joint::At(circlepoint),
-            center: Joint::Towards(oriented(direction, shown)),
-        }
+        let center = Joint::Towards(oriented(direction, shown));
+        Dyad::new(
+            json!({"at_infinity": place}),
+            Joint::At(circlepoint),
+            center,
+        )
     }
 
     /// A line through a fixed point.
@@ -51,12 +68,26 @@ impl Dyad {
         shown: &Value,
         center: Point<Ball>,
     ) -> Self {
-        Dyad {
-            name: json!({"at_infinity": place}),
-            circlepoint: Joint::Towards(oriented(direction, shown)),
-            center: Joint::At(center),
-        }
+        let circlepoint = Joint::Towards(oriented(direction, shown));
+        Dyad::new(
+            json!({"at_infinity": place}),
+            circlepoint,
+            Joint::At(center),
+        )
     }
+}
+
+/// A joint of rational coordinates.
+fn rational(joint: &Joint<Ball>) -> Option<Joint<Surd>> {
+    let number = |x: &Number<Ball>| {
+        let rational = Numeral::Enclosed(x.clone()).rational()?;
+        Some(Number::<Surd>::from(rational))
+    };
+    let point = |z: &Point<Ball>| Some(Number::complex(number(z.re())?, number(z.im())?));
+    Some(match joint {
+        Joint::At(z) => Joint::At(point(z)?),
+        Joint::Towards(z) => Joint::Towards(point(z)?),
+    })
 }
 
 /// A direction turned to the side on which it is shown.
@@ -102,20 +133,10 @@ pub fn exactly(
     [first, second]: [&Dyad; 2],
     positions: &[Displacement<Exact>; 5],
 ) -> Option<Passage<Surd>> {
-    let number = |x: &Number<Ball>| {
-        let rational = Numeral::Enclosed(x.clone()).rational()?;
-        Some(Number::<Surd>::from(rational))
-    };
-    let point = |z: &Point<Ball>| Some(Number::complex(number(z.re())?, number(z.im())?));
-    let joint = |joint: &Joint<Ball>| {
-        Some(match joint {
-            Joint::At(z) => Joint::At(point(z)?),
-            Joint::Towards(z) => Joint::Towards(point(z)?),
-        })
-    };
+    let [[a, p], [b, q]] = [first.exact.clone()?, second.exact.clone()?];
     let surd = |x: &Number<Exact>| Some(Number::<Surd>::from(x.0.rational()?.clone()));
     let vector = |z: &Point<Exact>| Some(Number::complex(surd(z.re())?, surd(z.im())?));
-    let joints = [joint(&first.circlepoint)?, joint(&second.circlepoint)?];
+    let joints = [a, b];
     let place = |d: &Displacement<Exact>| {
         let d = Displacement {
             rotation: vector(&d.rotation)?,
@@ -124,7 +145,7 @@ pub fn exactly(
         Some(moved(&d, &joints))
     };
     Some(Passage {
-        pivots: [joint(&first.center)?, joint(&second.center)?],
+        pivots: [p, q],
         joints: positions.iter().map(place).collect::<Option<_>>()?,
     })
 }
