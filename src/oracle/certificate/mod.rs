@@ -15,10 +15,14 @@
 
 mod family;
 mod five_positions;
+mod focal_mechanism;
+mod hart;
 mod newton;
 mod plain;
+mod rest;
 mod roots;
 mod shown;
+mod slider_crank_alternates;
 
 use serde_json::Value;
 use thiserror::Error;
@@ -88,6 +92,15 @@ pub fn check_answer(problem: &Value, answer: &Value) -> Result<(), Defect> {
         "centerpoint-curve" => plain::centerpoint_curve(&given(4, 4)?, answer),
         "three-positions" => plain::three_positions(&given(3, 3)?, answer),
         "poles" => plain::poles(&given(2, 9)?, answer),
+        "hart" => hart::check(&hart::Given::read(&fields).map_err(refused)?, answer),
+        "focal-mechanism" => {
+            let given = focal_mechanism::Given::read(&fields).map_err(refused)?;
+            focal_mechanism::check(&given, answer)
+        }
+        "slider-crank-alternates" => {
+            let given = slider_crank_alternates::Given::read(&fields).map_err(refused)?;
+            slider_crank_alternates::check(&given, answer)
+        }
         other => Err(Defect::unchecked(format!("no checker for {other} yet"))),
     }
 }

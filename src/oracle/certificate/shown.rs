@@ -3,9 +3,12 @@
 use rug::{Integer, Rational};
 use serde_json::Value;
 
-use super::Defect;
+use super::{Defect, require};
 use crate::number::text::parse_rational;
-use crate::number::{Ball, Complex, Number};
+use crate::number::{Ball, Complex, Exact, Number};
+
+/// More bits are not checked with.
+const MOST_BITS: u32 = 1 << 20;
 
 /// All numbers within a radius, 0 for an exact one.
 #[derive(Clone, Debug)]
@@ -132,6 +135,40 @@ pub fn point(value: &Value, place: &str, digits: u32) -> Result<[Coordinate; 2],
     }
 }
 
+/// Passes where a number holds what it stands for, and is as sharp as the digits ask.
+pub fn holds(value: &Value, place: &str, truth: &Number<Ball>, digits: u32) -> Result<(), Defect> {
+    let shown = Shown::read(value, place)?;
+    let sharp = shown.is_sharp(&Rational::new(), digits);
+    require(sharp, place, "the radius is larger than the digits allow")?;
+    if truth.0.is_whole_line() {
+        return Err(Defect::unchecked(format!("{place} is not known sharply")));
+    }
+    require(shown.holds(truth), place, "the digits do not hold it")
+}
+
+/// A rational number of the answer.
+pub fn exact(answer: &Value, name: &str) -> Result<Number<Exact>, Defect> {
+    let shown = Shown::read(&answer[name], name)?;
+    require(shown.is_exact(), name, "an exact number was expected")?;
+    Ok(Number::from(shown.value))
+}
+
+/// A field that is not null; one that is must be named as undecided.
+pub fn decided<'a>(answer: &Value, value: &'a Value, name: &str) -> Result<&'a Value, Defect> {
+    if !value.is_null() {
+        return Ok(value);
+    }
+    let undecided = answer["undecided"].as_str().unwrap_or_default();
+    require(
+        undecided.split(", ").any(|one| one == name),
+        name,
+        "a value is missing",
+    )?;
+    Err(Defect::unchecked(format!(
+        "the answer leaves {name} undecided"
+    )))
+}
+
 /// How many digits the answer says that it has.
 pub fn digits(answer: &Value) -> Result<u32, Defect> {
     let digits = answer["digits"].as_u64();
@@ -139,6 +176,31 @@ pub fn digits(answer: &Value) -> Result<u32, Defect> {
     digits
         .filter(|digits| (1..=100_000).contains(digits))
         .ok_or_else(|| Defect::wrong("digits", "a number of digits was expected"))
+}
+
+/// Bits to check an answer with: for its digits, and for its smallest radius.
+pub fn bits(answer: &Value) -> Result<u32, Defect> {
+    let asked = digits(answer)?.saturating_mul(8).saturating_add(256);
+    Ok(asked.max(finest(answer).saturating_add(512)).min(MOST_BITS))
+}
+
+/// Bits of the smallest radius.
+fn finest(value: &Value) -> u32 {
+    match value {
+        Value::Object(fields) => {
+            let radius = fields.get("radius").and_then(Value::as_str);
+            let radius = radius.and_then(|text| parse_rational(text).ok());
+            let own = radius.map_or(0, |radius| {
+                let (above, below) = (radius.numer(), radius.denom());
+                below
+                    .significant_bits()
+                    .saturating_sub(above.significant_bits())
+            });
+            fields.values().map(finest).fold(own, u32::max)
+        }
+        Value::Array(members) => members.iter().map(finest).fold(0, u32::max),
+        _ => 0,
+    }
 }
 
 /// A list of the answer.
