@@ -114,6 +114,18 @@ impl Given {
         Some(Positions::new(displacements.collect::<Option<_>>()?))
     }
 
+    /// Whether two positions are known to be turned alike, also where cosines and sines are enclosures.
+    pub fn turn_alike(&self, i: usize, j: usize) -> bool {
+        let Given::Poses(poses) = self else {
+            return false;
+        };
+        let turn = poses
+            .get(i)
+            .zip(poses.get(j))
+            .and_then(|((_, from), (_, to))| from.turn_to(to));
+        turn.is_some_and(|turn| turn.is_zero())
+    }
+
     /// With sums of square roots, where these hold all cosines and sines.
     pub fn exact(&self) -> Option<Positions<Surd>> {
         let displacements: Option<Vec<_>> = match self {

@@ -212,8 +212,9 @@ pub fn damage(
             let (a, b) = (answer.pointer(one)?.clone(), answer.pointer(other)?.clone());
             *at(&mut answer, one) = b.clone();
             *at(&mut answer, other) = a.clone();
-            // Two coefficients with a common factor are the same curve nowhere else.
-            differ(&a, &b)
+            // Two conjugate numbers have no order.
+            let conjugate = [one, other].iter().all(|place| place.ends_with("/im"));
+            !conjugate && differ(&a, &b)
         }
         Way::Word => {
             let place = any(&places.words, random)?;

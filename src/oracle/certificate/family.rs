@@ -20,13 +20,26 @@ type Poly = Polynomial<Exact>;
 /// The lines x = start + slope · t, y = t on which curves are compared.
 const LINES: [[i64; 2]; 5] = [[3, 1], [-7, 2], [11, -3], [2, 5], [-13, -2]];
 
-/// Whether the positions are translations on no circle and no line.
-pub fn is_empty_of_translations(positions: &Five) -> bool {
-    let [first, rest @ ..] = positions;
-    let parallel = rest
+/// Whether four of the positions are translations on no circle and no line: then not even these have a
+/// pair.
+pub fn has_no_pair(positions: &Five) -> bool {
+    (0..positions.len()).any(|left_out| {
+        let kept = positions.iter().enumerate();
+        let kept = kept.filter(|(place, _)| *place != left_out);
+        let four: Vec<&Displacement<Exact>> = kept.map(|(_, one)| one).collect();
+        are_free_translations(&four)
+    })
+}
+
+fn are_free_translations(positions: &[&Displacement<Exact>]) -> bool {
+    let parallel = positions.windows(2).all(|two| {
+        let [a, b] = [&two[0].rotation, &two[1].rotation];
+        a.equals(b).is_yes()
+    });
+    let places: Vec<Point<Exact>> = positions
         .iter()
-        .all(|position| position.rotation.equals(&first.rotation).is_yes());
-    let places: [Point<Exact>; 5] = positions.each_ref().map(|one| one.translation.clone());
+        .map(|one| one.translation.clone())
+        .collect();
     parallel && relation::collinear(&places).is_no() && relation::concyclic(&places).is_no()
 }
 

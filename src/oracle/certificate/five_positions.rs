@@ -248,7 +248,7 @@ fn of_rational(
     bits: u32,
 ) -> Result<(), Defect> {
     let total: usize = pairs.iter().map(|pair| pair.multiplicity).sum();
-    if total + at_infinity.len() == 0 && family::is_empty_of_translations(positions) {
+    if total + at_infinity.len() == 0 && family::has_no_pair(positions) {
         return Ok(());
     }
     require(

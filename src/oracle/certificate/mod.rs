@@ -13,16 +13,22 @@
 //!
 //! Other kinds have no checker yet, and say so.
 
+mod centerpoint_curve;
+mod curve;
 mod family;
 mod five_positions;
 mod focal_mechanism;
+mod geometry;
 mod hart;
+mod known;
 mod newton;
-mod plain;
+mod poles;
+mod quadrilateral;
 mod rest;
 mod roots;
 mod shown;
 mod slider_crank_alternates;
+mod three_positions;
 
 use serde_json::Value;
 use thiserror::Error;
@@ -89,9 +95,12 @@ pub fn check_answer(problem: &Value, answer: &Value) -> Result<(), Defect> {
     let given = |least, most| Given::read(&fields, least, most).map_err(refused);
     match name {
         "five-positions" => five_positions::check(&given(5, 5)?, answer),
-        "centerpoint-curve" => plain::centerpoint_curve(&given(4, 4)?, answer),
-        "three-positions" => plain::three_positions(&given(3, 3)?, answer),
-        "poles" => plain::poles(&given(2, 9)?, answer),
+        "centerpoint-curve" => centerpoint_curve::check(&given(4, 4)?, answer),
+        "three-positions" => {
+            let given = three_positions::Given::read(&fields).map_err(refused)?;
+            three_positions::check(&given, answer)
+        }
+        "poles" => poles::check(&given(2, 9)?, answer),
         "hart" => hart::check(&hart::Given::read(&fields).map_err(refused)?, answer),
         "focal-mechanism" => {
             let given = focal_mechanism::Given::read(&fields).map_err(refused)?;

@@ -18,7 +18,7 @@ use rug::Rational;
 use serde_json::Value;
 
 use super::rest::Rest;
-use super::shown::{self, bits, decided, digits};
+use super::shown::{self, Shown, bits, decided, digits};
 use super::{Defect, require};
 use crate::number::univariate::{Polynomial, Quadratic};
 use crate::number::{Ball, Elementary, Number, Real, Surd, Truth};
@@ -274,12 +274,15 @@ fn quadratic<K: Real>(own: &SliderCrank<K>, motion: &Motion<K>) -> Option<Quadra
     Some(Quadratic::new(square, linear, absolute))
 }
 
-/// The tangents, that with the negative imaginary part first, and no real distances.
+/// Both tangents, and no real distances.
 fn complex(quadratic: &Quadratic<Ball>, answer: &Value, digits: u32) -> Result<(), Defect> {
     let twice = 2 * &quadratic.a;
     let re = -&quadratic.b / &twice;
-    let im = ((-quadratic.discriminant()).sqrt() / twice).abs();
-    for (name, im) in [("alpha_b", -&im), ("alpha_c", im)] {
+    let im = (-quadratic.discriminant()).sqrt() / twice;
+    let first = decided(answer, &answer["alpha_b"], "alpha_b")?;
+    let is_first = Shown::read(&first["im"], "alpha_b")?.holds(&im);
+    let im = if is_first { im } else { -im };
+    for (name, im) in [("alpha_b", im.clone()), ("alpha_c", -im)] {
         let shown = decided(answer, &answer[name], name)?;
         shown::holds(&shown["re"], name, &re, digits)?;
         shown::holds(&shown["im"], name, &im, digits)?;
