@@ -79,3 +79,14 @@ fn focal_mechanisms() {
         }));
     }
 }
+
+/// Half a revolution is no translation, also where rounding leaves a cosine beside −1.
+#[test]
+fn poles_of_half_revolutions() {
+    assert_agree(&json!({"problem": "poles", "positions": [
+        {"x": "3", "y": "-5", "angle": {"tan_half": "-1/3"}},
+        {"x": "13/7", "y": "-6", "angle": {"cos": "-4/5", "sin": "3/5"}},
+        {"x": "1", "y": "2", "angle": {"tan_half": "4"}},
+        {"x": "-2", "y": "5", "angle": {"cos": "15/17", "sin": "-8/17"}},
+    ]}));
+}

@@ -335,7 +335,7 @@ fn half_turn<K: Elementary>(
     let (Some(from), Some(to)) = (angle(i), angle(j)) else {
         return HalfTurn::of(&Number::one());
     };
-    HalfTurn::of(&match from.turn_to(to) {
+    HalfTurn::of_rounded(&match from.turn_to(to) {
         Some(difference) => turn(&difference, precision),
         None => turn::<K>(to, precision) * turn::<K>(from, precision).conj(),
     })

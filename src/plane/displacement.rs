@@ -1,8 +1,10 @@
 //! Displacements of the moving plane, and the points that they leave where they are.
 
+use std::cmp::Ordering;
+
 use super::Point;
 use super::projective::ProjectivePoint;
-use crate::number::{Exact, Kind, Number};
+use crate::number::{Exact, Kind, Number, Real};
 
 /// X = rotation · x + translation, |rotation| = 1: where a point x of the moving plane is in the
 /// fixed one.
@@ -123,18 +125,37 @@ pub struct HalfTurn<K> {
 impl<K: Kind> HalfTurn<K> {
     /// Half of the turn e^{iδ}.
     pub fn of(turn: &Point<K>) -> Self {
-        let (cos, sin) = (turn.re(), turn.im());
-        // Both are [cos δ/2 : sin δ/2]; the first vanishes for δ = π, the second for δ = 0.
-        if (1 + cos).is_zero().is_yes() {
-            HalfTurn {
-                cos: sin.clone(),
-                sin: 1 - cos,
-            }
+        if (1 + turn.re()).is_zero().is_yes() {
+            HalfTurn::of_turn_but_none(turn)
         } else {
-            HalfTurn {
-                cos: 1 + cos,
-                sin: sin.clone(),
-            }
+            HalfTurn::of_turn_but_half(turn)
+        }
+    }
+
+    /// [1 + cos δ : sin δ], which vanishes for δ = π.
+    fn of_turn_but_half(turn: &Point<K>) -> Self {
+        HalfTurn {
+            cos: 1 + turn.re(),
+            sin: turn.im().clone(),
+        }
+    }
+
+    /// [sin δ : 1 − cos δ], which vanishes for δ = 0.
+    fn of_turn_but_none(turn: &Point<K>) -> Self {
+        HalfTurn {
+            cos: turn.im().clone(),
+            sin: 1 - turn.re(),
+        }
+    }
+}
+
+impl<K: Real> HalfTurn<K> {
+    /// Half of the turn e^{iδ}, without the difference of two almost equal numbers, of which rounding
+    /// would leave nothing.
+    pub fn of_rounded(turn: &Point<K>) -> Self {
+        match turn.re().sign() {
+            Some(Ordering::Less) => HalfTurn::of_turn_but_none(turn),
+            _ => HalfTurn::of_turn_but_half(turn),
         }
     }
 }
