@@ -440,6 +440,44 @@ fn wrong_calls() {
     }
 }
 
+/// A missing module, say: no start is ever answered, and the whole corpus need not be waited for.
+#[test]
+fn who_never_says_a_word_is_refused() {
+    let never = |options: &[&str], script: &str, expected: &str| {
+        let output = score(options, &["sh", "-c", script]);
+        assert_refused(&output, "started 3 times, it never wrote a line");
+        assert_refused(&output, expected);
+    };
+    never(
+        &[],
+        "echo Traceback >&2; echo no module named linkages >&2; exit 3",
+        "it stopped (exit status: 3): no module named linkages",
+    );
+    never(
+        &["--time-limit", "0.2"],
+        "sleep 60",
+        "no answer within 0.2 s",
+    );
+    never(
+        &["--time-limit", "0.2"],
+        "cat > /dev/null; echo '{}'",
+        "is every line flushed?",
+    );
+}
+
+/// Two problems lost before the first answer are two problems lost.
+#[test]
+fn who_answers_late_is_scored() {
+    let late = folder("late", &in_floats());
+    for line in &lines("problems")[..2] {
+        let id = line["id"].as_str().unwrap();
+        fs::write(late.join(format!("{id}.sh")), "exit 1").unwrap();
+    }
+    let (status, report) = scored(&late);
+    assert_eq!(counts(&report), [0, 0, 2, 0], "{report}");
+    assert_eq!(status, 1);
+}
+
 #[test]
 fn a_problem_alone_is_shown_side_by_side() {
     let folder = folder("alone", &in_floats()).display().to_string();

@@ -11,6 +11,10 @@ use std::time::{Duration, Instant};
 const LONGEST_LINE: usize = 1 << 22;
 /// Of what a candidate says last on standard error, so much is kept.
 const LONGEST_REMARK: usize = 300;
+/// A candidate that is silent in so many starts, and never wrote a line, does not work.
+const TRIES: usize = 3;
+/// For a last line once the input is closed.
+const PATIENCE: Duration = Duration::from_millis(500);
 
 /// A command that answers problems.
 pub struct Candidate {
@@ -18,12 +22,14 @@ pub struct Candidate {
     running: Option<Running>,
     /// Whether it ever wrote a line.
     has_spoken: bool,
+    /// Problems lost before that, each with a process of its own.
+    silences: usize,
 }
 
 /// Why there is no answer.
 pub enum Silence {
-    /// The command cannot start at all.
-    CannotStart(String),
+    /// The command cannot start, or never says anything.
+    DoesNotWork(String),
     /// This problem is lost.
     Lost(String),
 }
@@ -42,6 +48,7 @@ impl Candidate {
             command: command.to_vec(),
             running: Some(Running::start(command)?),
             has_spoken: false,
+            silences: 0,
         })
     }
 
@@ -62,22 +69,20 @@ impl Candidate {
         let asked = Instant::now();
         let event = running.ask(line, limit);
         let time = asked.elapsed();
-        let lost = |reason: String| Err(Silence::Lost(reason));
+        // Also what is no answer shows that it works.
+        self.has_spoken |= matches!(event, Ok(Event::Line(_) | Event::TooLong | Event::NoText));
         let answer = match event {
             Ok(Event::Line(answer)) => {
-                self.has_spoken = true;
                 self.running = Some(running);
                 Ok(answer)
             }
-            Ok(Event::TooLong) => lost(format!("its line is longer than {LONGEST_LINE} bytes")),
-            Ok(Event::NoText) => lost("its line is no UTF-8 text".to_owned()),
-            Ok(Event::Closed) => self.stopped(&mut running),
-            Err(RecvTimeoutError::Timeout) => {
-                lost(format!("no answer within {} s", limit.as_secs_f64()))
-            }
-            Err(RecvTimeoutError::Disconnected) => lost("its output cannot be read".to_owned()),
+            Ok(Event::TooLong) => Err(format!("its line is longer than {LONGEST_LINE} bytes")),
+            Ok(Event::NoText) => Err("its line is no UTF-8 text".to_owned()),
+            Ok(Event::Closed) => return (Err(self.stopped(&mut running)), time),
+            Err(RecvTimeoutError::Timeout) => Err(self.too_slow(&mut running, limit)),
+            Err(RecvTimeoutError::Disconnected) => Err("its output cannot be read".to_owned()),
         };
-        (answer, time)
+        (answer.map_err(|reason| self.lost(reason)), time)
     }
 
     /// Gives up this process: its output is out of step with the questions.
@@ -85,7 +90,21 @@ impl Candidate {
         self.running = None;
     }
 
-    fn stopped(&self, running: &mut Running) -> Result<String, Silence> {
+    /// One problem is lost, or all where it was silent from the first.
+    fn lost(&mut self, reason: String) -> Silence {
+        if self.has_spoken {
+            return Silence::Lost(reason);
+        }
+        self.silences += 1;
+        if self.silences < TRIES {
+            return Silence::Lost(reason);
+        }
+        Silence::DoesNotWork(format!(
+            "started {TRIES} times, it never wrote a line; the last time {reason}"
+        ))
+    }
+
+    fn stopped(&mut self, running: &mut Running) -> Silence {
         let (status, remark) = running.last_words();
         let ended = match status {
             Some(status) => format!("it stopped ({status})"),
@@ -98,16 +117,27 @@ impl Candidate {
         // A shell's words for a command that it cannot find or run.
         let cannot_start = status.and_then(|status| status.code());
         if !self.has_spoken && matches!(cannot_start, Some(126 | 127)) {
-            return Err(Silence::CannotStart(reason));
+            return Silence::DoesNotWork(reason);
         }
-        Err(Silence::Lost(reason))
+        self.lost(reason)
+    }
+
+    /// Who forgets to flush is heard when the input ends.
+    fn too_slow(&self, running: &mut Running, limit: Duration) -> String {
+        let reason = format!("no answer within {} s", limit.as_secs_f64());
+        if !self.has_spoken && running.speaks_at_the_end() {
+            format!("{reason}, but one when its input was closed: is every line flushed?")
+        } else {
+            reason
+        }
     }
 }
 
 /// A process of the candidate's.
 struct Running {
     child: Child,
-    questions: Sender<String>,
+    /// None once its input is closed.
+    questions: Option<Sender<String>>,
     events: Receiver<Event>,
     remark: Arc<Mutex<String>>,
 }
@@ -148,7 +178,7 @@ impl Running {
         }
         Ok(Running {
             child,
-            questions,
+            questions: Some(questions),
             events,
             remark,
         })
@@ -162,13 +192,21 @@ impl Running {
             }
         }
         // Where nobody reads any more the output closes too.
-        let _ = self.questions.send(format!("{line}\n"));
+        if let Some(questions) = &self.questions {
+            let _ = questions.send(format!("{line}\n"));
+        }
         self.events.recv_timeout(limit)
+    }
+
+    /// Closes its input, and says whether a line comes of it.
+    fn speaks_at_the_end(&mut self) -> bool {
+        self.questions = None;
+        matches!(self.events.recv_timeout(PATIENCE), Ok(Event::Line(_)))
     }
 
     /// How it ended, and what it said last on standard error.
     fn last_words(&mut self) -> (Option<ExitStatus>, Option<String>) {
-        let patience = Instant::now() + Duration::from_millis(500);
+        let patience = Instant::now() + PATIENCE;
         let status = loop {
             match self.child.try_wait() {
                 Ok(None) if Instant::now() < patience => thread::sleep(Duration::from_millis(2)),

@@ -14,7 +14,7 @@ pub struct Asked {
     pub line: Option<String>,
 }
 
-/// Asks one problem; an error where the candidate cannot start at all.
+/// Asks one problem; an error where the candidate does not work at all.
 pub fn ask(
     candidate: &mut Candidate,
     corpus: &Corpus,
@@ -23,7 +23,7 @@ pub fn ask(
 ) -> Result<Asked, String> {
     let (answer, time) = candidate.ask(&problem.problem.to_string(), limit);
     let (outcome, line) = match answer {
-        Err(Silence::CannotStart(reason)) => return Err(reason),
+        Err(Silence::DoesNotWork(reason)) => return Err(reason),
         Err(Silence::Lost(reason)) => (Outcome::Lost(reason), None),
         Ok(line) => match outcome(problem, &line) {
             Ok(outcome) => (outcome, Some(line)),
@@ -49,9 +49,10 @@ pub fn ask(
 
 /// What a line says; an error where it does not keep to the protocol.
 fn outcome(problem: &Problem, line: &str) -> Result<Outcome, String> {
-    let shown = || -> String { line.trim().chars().take(60).collect() };
-    let value: Value = serde_json::from_str(line)
-        .map_err(|error| format!("its line is no JSON ({error}): {}", shown()))?;
+    let value: Value = serde_json::from_str(line).map_err(|error| {
+        let shown = around(line, error.column());
+        format!("its line is no JSON ({error}): {shown}")
+    })?;
     let said = |name: &str| {
         value.get(name).map(|text| match text {
             Value::String(text) => text.clone(),
@@ -67,7 +68,7 @@ fn outcome(problem: &Problem, line: &str) -> Result<Outcome, String> {
     let result = value.get("result").ok_or_else(|| {
         format!(
             "its line has neither result nor skipped nor error: {}",
-            shown()
+            around(line, 0)
         )
     })?;
     for place in [&value, result] {
@@ -90,4 +91,12 @@ fn outcome(problem: &Problem, line: &str) -> Result<Outcome, String> {
     } else {
         Outcome::Scored(verdict)
     })
+}
+
+/// What stands before and after a place of a line.
+fn around(line: &str, column: usize) -> String {
+    let first = column.saturating_sub(40);
+    let dots = if first > 0 { "…" } else { "" };
+    let shown: String = line.trim().chars().skip(first).take(60).collect();
+    format!("{dots}{shown}")
 }
