@@ -252,6 +252,77 @@ fn close_is_a_matter_of_the_condition() {
     }
 }
 
+/// Where m pairs fall into one, what is off by a rounding parts them by its m-th root.
+#[test]
+fn multiple_pairs_may_be_torn_apart() {
+    for (times, shift, marks) in [
+        (1, 1e-5, [0, 0, 1, 1]),
+        (3, 1e-5, [1, 1, 0, 0]),
+        (3, 1e-3, [0, 0, 1, 2]),
+        (4, 1e-4, [1, 1, 0, 0]),
+    ] {
+        let pair = |x: f64| json!({"circlepoint": [x, 1], "center": [2, 2]});
+        let mut certified = pair(1.0);
+        certified["multiplicity"] = json!(times);
+        let answer = json!({"pairs": [certified]});
+        let reference = Reference::read("five-positions", &answer, &Value::Null).unwrap();
+        let given = match times {
+            1 => json!({"pairs": [pair(1.0 + shift)]}),
+            _ => json!({"pairs": [pair(1.0 + shift), pair(1.0 - shift)]}),
+        };
+        let verdict = reference.judge(&json!({}), &given).unwrap();
+        let counted = [Mark::Found, Mark::OfFamily, Mark::Missed, Mark::Invented]
+            .map(|mark| verdict.count(mark));
+        assert_eq!(counted, marks, "{times}, {shift}");
+    }
+}
+
+/// Of turns about one point this point of the moving plane rests there, but for roundings.
+#[test]
+fn a_resting_point_is_of_the_family() {
+    let turns = [
+        ["1", "0"],
+        ["3/5", "4/5"],
+        ["0", "1"],
+        ["-1", "0"],
+        ["4/5", "-3/5"],
+    ];
+    let places = [
+        ["-1", "-2"],
+        ["1", "-2"],
+        ["2", "-1"],
+        ["1", "2"],
+        ["-2", "-1"],
+    ];
+    let positions = turns
+        .iter()
+        .zip(places)
+        .map(|([cos, sin], [x, y])| json!({"x": x, "y": y, "angle": {"cos": cos, "sin": sin}}));
+    let problem = json!({"problem": "five-positions", "positions": positions.collect::<Vec<_>>()});
+    let answer = json!({"pairs": [], "family": {"kind": "plane"}});
+    let reference = Reference::read("five-positions", &answer, &Value::Null).unwrap();
+    for (circlepoint, center, mark) in [
+        (
+            [1.000_000_000_000_000_4, 2.0],
+            [7e-18, -2e-18],
+            Mark::OfFamily,
+        ),
+        ([1.0, 2.0], [3.0, 4.0], Mark::OfFamily),
+        ([5.0, 3.0], [1e-9, 0.0], Mark::OfFamily),
+        ([5.0, 3.0], [1e-3, 0.0], Mark::Invented),
+        ([1.001, 2.0], [3.0, 4.0], Mark::Invented),
+    ] {
+        let given = json!({"pairs": [{"circlepoint": circlepoint, "center": center}]});
+        let verdict = reference.judge(&problem, &given).unwrap();
+        assert_eq!(
+            verdict.count(mark),
+            1,
+            "{circlepoint:?} {:?}",
+            verdict.lines
+        );
+    }
+}
+
 #[test]
 fn order_factors_and_repetitions_do_not_matter() {
     let mut answers = in_floats();

@@ -69,13 +69,9 @@ pub struct Closeness {
 }
 
 impl Closeness {
-    /// Correct digits: at most 50, those of the certified answers.
+    /// Correct digits.
     pub fn digits(&self) -> f64 {
-        const MOST: f64 = 50.0;
-        if self.relative == 0.0 {
-            return MOST;
-        }
-        (-self.relative.log10()).clamp(0.0, MOST)
+        digits(self.relative)
     }
 
     /// The error of a part.
@@ -97,6 +93,15 @@ impl Closeness {
             ulps: worst.fold(0.0, f64::max),
         }
     }
+}
+
+/// Correct digits at this relative error: at most 50, those of the certified answers.
+pub fn digits(relative: f64) -> f64 {
+    const MOST: f64 = 50.0;
+    if relative == 0.0 {
+        return MOST;
+    }
+    (-relative.log10()).clamp(0.0, MOST)
 }
 
 fn ulps(certified: &Part, given: &Part) -> f64 {
@@ -239,13 +244,6 @@ mod tests {
 
     #[test]
     fn digits_of_errors_far_below_floats() {
-        let digits = |relative: f64| {
-            let closeness = Closeness {
-                relative,
-                ulps: 0.0,
-            };
-            closeness.digits()
-        };
         assert_eq!(digits(0.0), 50.0);
         assert!((digits(1e-6) - 6.0).abs() < 1e-9);
         assert_eq!(digits(7.0), 0.0);

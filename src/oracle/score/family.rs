@@ -21,8 +21,8 @@ impl Positions {
         family.then(|| displacements(problem).ok().map(Positions))?
     }
 
-    /// Whether the circlepoint keeps its distance from the center, measured by the way it goes. Points
-    /// may be complex.
+    /// Whether the circlepoint keeps its distance from the center, but for what an error relative to
+    /// the size of circlepoint and center makes of it. Points may be complex.
     pub fn hold(&self, member: &Member, tolerance: f64) -> bool {
         let named = |name: &str| {
             let part = member.parts.iter().find(|(other, _)| *other == name);
@@ -41,14 +41,18 @@ impl Positions {
             &x * &x + &y * &y
         });
         let squares: Vec<Complex> = squares.collect();
-        let change = widest(&squares, |a, b| size(&(a - b)));
+        let change = widest(&squares, |a, b| modulus(&(a - b)));
+        let turn = widest(&self.0, |a, b| modulus(&(&a.rotation - &b.rotation)));
         let way = widest(&places, |a, b| length(&difference(a, b)));
         let reach = places
             .iter()
             .map(|place| length(&difference(place, &center)));
         let reach = reach.fold(0.0, f64::max);
-        // The square of a distance d that is off by ε is off by 2dε.
-        change <= tolerance * way * (way + reach)
+        let sizes = places.iter().chain([&circlepoint, &center]).map(length);
+        let off = tolerance * sizes.fold(0.0, f64::max);
+        // Of a center off by ε the squares part by 2ε·way, of a circlepoint by 2ε(way + turn·reach), and
+        // by (ε·turn)² where it should rest on its center.
+        change <= off * (way + turn * reach) + (off * turn).powi(2)
     }
 }
 
@@ -79,12 +83,12 @@ fn difference([a, b]: &[Complex; 2], [c, d]: &[Complex; 2]) -> [Complex; 2] {
     [a - c, b - d]
 }
 
-fn size(number: &Complex) -> f64 {
+fn modulus(number: &Complex) -> f64 {
     number.re().0.hypot(number.im().0)
 }
 
 fn length([x, y]: &[Complex; 2]) -> f64 {
-    size(x).hypot(size(y))
+    modulus(x).hypot(modulus(y))
 }
 
 /// The largest of a measure over every two.

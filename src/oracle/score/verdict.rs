@@ -11,6 +11,7 @@ use super::matching;
 use super::number::Known;
 use super::read::{Member, Misread, Part, Source, Stated, Statements, read};
 use super::shape::{self, Shape};
+use crate::number::text::parse_rational;
 use crate::number::{Ball, Number};
 
 /// What is known for certain about a problem.
@@ -57,6 +58,13 @@ impl fmt::Display for Mark {
     }
 }
 
+impl Mark {
+    /// Neither missed nor invented nor wrong.
+    pub fn is_good(self) -> bool {
+        !matches!(self, Mark::Missed | Mark::Invented | Mark::Wrong)
+    }
+}
+
 /// Certified and given side by side.
 #[derive(Clone, Debug)]
 pub struct Line {
@@ -70,6 +78,8 @@ pub struct Line {
     pub given: Option<String>,
     /// How close it is, of numbers that are found.
     pub closeness: Option<Closeness>,
+    /// Of what is invented: the digits that it shares with the nearest that is certified.
+    pub nearest: Option<f64>,
 }
 
 /// The verdict on one answer.
@@ -97,7 +107,7 @@ impl Verdict {
 
     /// Nothing missed, invented or wrong.
     pub fn is_clean(&self) -> bool {
-        [Mark::Missed, Mark::Invented, Mark::Wrong].map(|mark| self.count(mark)) == [0; 3]
+        self.lines.iter().all(|line| line.mark.is_good())
     }
 }
 
@@ -133,6 +143,20 @@ impl Reference {
     /// The relative error that is allowed.
     pub fn tolerance(&self) -> f64 {
         self.tolerance.to_f64()
+    }
+
+    /// The relative error that is allowed where so many solutions fall into one: m of them part by the
+    /// m-th root of what a problem is off, here by a thousand roundings.
+    fn tolerance_of(&self, multiplicity: usize) -> Rational {
+        let root = thousand_roundings()
+            .to_f64()
+            .powf(1.0 / multiplicity as f64);
+        let parting = Rational::from_f64(root).unwrap_or_default();
+        if multiplicity > 1 {
+            parting.max(self.tolerance.clone())
+        } else {
+            self.tolerance.clone()
+        }
     }
 
     /// Whether the answer is out of the ordinary: at infinity, infinitely many, multiple.
@@ -187,8 +211,12 @@ fn is_open(place: &str, undecided: &str) -> bool {
 
 /// 10⁻⁶, or a thousand times what double precision allows at this condition.
 fn tolerance(condition: &Rational) -> Rational {
-    let unit = Rational::from((1000, 1u64 << 53));
-    (condition.clone().abs() * unit).max(Rational::from((1, 1_000_000)))
+    (condition.clone().abs() * thousand_roundings()).max(Rational::from((1, 1_000_000)))
+}
+
+/// Of double precision.
+fn thousand_roundings() -> Rational {
+    Rational::from((1000, 1u64 << 53))
 }
 
 fn scale(statements: &Statements) -> Rational {
@@ -261,8 +289,9 @@ impl Judge<'_> {
 
     /// Whether the two agree.
     fn one(&mut self, place: &str, certified: &Part, given: &Part) -> bool {
-        let error = compare::error(certified, given, &self.reference.scale)
-            .filter(|error| *error <= self.reference.tolerance);
+        let distance = compare::error(certified, given, &self.reference.scale);
+        let tolerance = &self.reference.tolerance;
+        let error = distance.clone().filter(|error| error <= tolerance);
         let texts = (shown(certified), shown(given));
         let is_fact = matches!(certified, Part::Word(_));
         match (&error, is_fact) {
@@ -282,7 +311,7 @@ impl Judge<'_> {
                 self.line(place, Mark::Missed, Some(texts.0), None, None);
                 // That there is none is no invention.
                 if !matches!(given, Part::Word(_)) {
-                    self.line(place, Mark::Invented, None, Some(texts.1), None);
+                    self.invented(place, texts.1, distance.as_ref());
                 }
             }
         }
@@ -296,28 +325,30 @@ impl Judge<'_> {
             .iter()
             .flat_map(|member| std::iter::repeat_n((member, false), member.multiplicity - 1));
         let rows: Vec<(&Member, bool)> = once.chain(again).collect();
-        let tolerance = &self.reference.tolerance;
-        let errors: Vec<Vec<Option<Rational>>> = rows
+        let distances: Vec<Vec<Option<Rational>>> = rows
             .iter()
             .map(|(member, _)| {
-                let errors = given
-                    .iter()
-                    .map(|given| compare::member_error(member, given, &self.reference.scale));
-                errors
-                    .map(|error| error.filter(|error| error <= tolerance))
+                let given = given.iter();
+                given
+                    .map(|given| compare::member_error(member, given, &self.reference.scale))
                     .collect()
             })
             .collect();
+        let error = |row: usize, column: usize| {
+            let (member, _) = rows.get(row)?;
+            let tolerance = self.reference.tolerance_of(member.multiplicity);
+            let error = distances.get(row)?.get(column)?.as_ref()?;
+            (*error <= tolerance).then_some((error, tolerance))
+        };
         let cost = |row: usize, column: usize| {
-            let error = errors.get(row)?.get(column)?.as_ref()?;
-            Some(Rational::from(error / tolerance).to_f64())
+            let (error, tolerance) = error(row, column)?;
+            Some(Rational::from(error / &tolerance).to_f64())
         };
         let needed: Vec<bool> = rows.iter().map(|(_, needed)| *needed).collect();
         let columns = matching::assign(&needed, given.len(), cost);
         for (row, (column, (member, needed))) in columns.iter().zip(&rows).enumerate() {
-            let matched = column.and_then(|column| {
-                Some((given.get(column)?, errors.get(row)?.get(column)?.as_ref()?))
-            });
+            let matched =
+                column.and_then(|column| Some((given.get(column)?, error(row, column)?.0)));
             let text = shown_member(member);
             match matched {
                 Some((other, error)) => {
@@ -336,22 +367,33 @@ impl Judge<'_> {
         }
         for (column, member) in given.iter().enumerate() {
             if !columns.contains(&Some(column)) {
-                let mark = self.left_over(place, member);
-                self.line(place, mark, None, Some(shown_member(member)), None);
+                let text = shown_member(member);
+                if self.is_of_family(place, member) {
+                    self.line(place, Mark::OfFamily, None, Some(text), None);
+                } else {
+                    let distances = distances.iter().filter_map(|row| row.get(column)?.as_ref());
+                    self.invented(place, text, distances.min());
+                }
             }
         }
     }
 
-    fn left_over(&self, place: &str, member: &Member) -> Mark {
+    fn is_of_family(&self, place: &str, member: &Member) -> bool {
         let pairs = place == "pairs" || place == "complex_pairs";
         let infinitely_many = self.positions.as_ref().filter(|_| pairs);
-        if infinitely_many
+        infinitely_many
             .is_some_and(|positions| positions.hold(member, self.reference.tolerance.to_f64()))
-        {
-            Mark::OfFamily
-        } else {
-            Mark::Invented
-        }
+    }
+
+    fn invented(&mut self, place: &str, given: String, distance: Option<&Rational>) {
+        self.verdict.lines.push(Line {
+            place: place.to_owned(),
+            mark: Mark::Invented,
+            certified: None,
+            given: Some(given),
+            closeness: None,
+            nearest: distance.map(|distance| compare::digits(distance.to_f64())),
+        });
     }
 
     /// Numbers and solutions at places where nothing is certified.
@@ -368,7 +410,7 @@ impl Judge<'_> {
             match stated {
                 Stated::One { part, .. } if self.is_beside(place) => {
                     if !matches!(part, Part::Word(_)) {
-                        self.line(place, Mark::Invented, None, Some(shown(part)), None);
+                        self.invented(place, shown(part), None);
                     }
                 }
                 Stated::One { .. } | Stated::Set { .. } => {}
@@ -403,6 +445,7 @@ impl Judge<'_> {
             certified,
             given,
             closeness,
+            nearest: None,
         });
     }
 
@@ -420,8 +463,13 @@ fn has_numbers(member: &Member) -> bool {
     !member.parts.iter().all(|(_, part)| words(part))
 }
 
-/// For a person: exact where that is short, else 20 digits.
+/// For a person: a decimal as a float shows it or a fraction where these are exact and short, else 20
+/// digits.
 fn shown_number(known: &Known) -> String {
+    let float = known.value.to_f64().to_string();
+    if float.len() <= 24 && parse_rational(&float).is_ok_and(|shown| shown == known.value) {
+        return float;
+    }
     let exact = known.value.to_string();
     if exact.len() <= 20 {
         return exact;
