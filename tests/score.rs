@@ -572,6 +572,42 @@ fn a_problem_alone_is_shown_side_by_side() {
     assert!(!text.contains("claims"), "{text}");
 }
 
+/// A pair that is a little off stands beside the one that is meant, and before what is right.
+#[test]
+fn what_is_wrong_is_shown_first() {
+    let mut answers = in_floats();
+    let pair = &mut answers.get_mut("small/random-1").unwrap()["pairs"][1];
+    for coordinate in pair["center"].as_array_mut().unwrap() {
+        *coordinate = json!(coordinate.as_f64().unwrap() * 1.00001);
+    }
+    let folder = folder("off", &answers).display().to_string();
+    let command = ["sh", "-c", CANDIDATE, &folder];
+    let output = score(&["--only", "small/random-1"], &command);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let [missed, invented, found] = [
+        "pairs: missed",
+        "pairs: invented, 5.0 digits of the nearest certified",
+        "pairs: found",
+    ]
+    .map(|part| text.find(part).unwrap());
+    assert!(missed < invented && invented < found, "{text}");
+}
+
+/// What fails in the same way stands there once.
+#[test]
+fn failures_are_listed_by_sort() {
+    let silent = "while read -r question; do echo '{\"error\": \"singular matrix\"}'; done";
+    let output = score(&[], &["sh", "-c", silent]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    let (_, listed) = text.split_once("Not right").unwrap();
+    let more = lines("problems").len() - 1;
+    assert!(
+        listed.contains(&format!("singular matrix (and {more} more like it)")),
+        "{text}"
+    );
+    assert_eq!(listed.matches("--only").count(), 1, "{text}");
+}
+
 /// Tags that open and close in turn, and attributes in quotes.
 fn assert_well_formed(xml: &str) {
     let mut open: Vec<&str> = Vec::new();

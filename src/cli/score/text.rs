@@ -1,7 +1,7 @@
 //! The scores for a person.
 
 use burmester::oracle::score::corpus::Problem;
-use burmester::oracle::score::{Case, Mark, Outcome, Tally, by_corpus, tallies};
+use burmester::oracle::score::{Case, Line, Mark, Outcome, Tally, by_corpus, tallies};
 
 use super::Run;
 use super::asked::Asked;
@@ -44,34 +44,74 @@ pub fn report(run: &Run<'_>) -> String {
     let all: Vec<&Case> = run.cases.iter().collect();
     let kinds = tallies(&run.cases);
     let mut rows: Vec<Vec<String>> = vec![HEADS.map(str::to_owned).into()];
-    for corpus in by_corpus(&run.cases) {
-        rows.push(row(&corpus.corpus, &corpus));
-        let kinds = kinds.iter().filter(|kind| kind.corpus == corpus.corpus);
-        // Of what is declined altogether the sum says enough.
-        let kinds = kinds.filter(|kind| kind.skipped < kind.problems);
+    let corpora = by_corpus(&run.cases);
+    for corpus in &corpora {
+        rows.push(row(&corpus.corpus, corpus));
+        // Of one kind alone, and of what is declined altogether, the sum says enough.
+        let kinds = kinds.iter().filter(|kind| {
+            kind.corpus == corpus.corpus
+                && kind.problems < corpus.problems
+                && kind.skipped < kind.problems
+        });
         rows.extend(kinds.map(|kind| row(&format!("  {}", kind.kind), kind)));
     }
-    rows.push(row("all", &Tally::of(&all)));
+    if corpora.len() > 1 {
+        rows.push(row("all", &Tally::of(&all)));
+    }
     let mut text = table(&rows);
     text += &format!("\n{LEGEND}");
     let worst = run.worst();
     if !worst.is_empty() {
-        let count = worst.len();
-        text += &format!(
-            "\n{}\n",
-            style::bold(&format!(
-                "Not right, or fewer than 6 digits: {count} problems"
-            ))
+        let head = format!(
+            "Not right, or fewer than 6 digits: {} problems; one of each sort, with the call that shows it",
+            worst.len()
         );
-        for case in worst.iter().take(WORST) {
-            text += &format!("{}: {}\n", case.id, summary(case));
+        text += &format!("\n{}\n", style::bold(&head));
+        let sorts = sorts(&worst);
+        for (case, count) in sorts.iter().take(WORST) {
+            let like = match count {
+                1 => String::new(),
+                _ => format!(" (and {} more like it)", count - 1),
+            };
+            text += &format!("{}: {}{like}\n", case.id, summary(case));
             text += &format!("    {}\n", style::dim(&run.rerun(case)));
         }
-        if count > WORST {
-            text += &format!("and {} more; all with --format json\n", count - WORST);
+        if sorts.len() > WORST {
+            let more = sorts.len() - WORST;
+            text += &format!("and {more} more sorts; all problems with --format json\n");
         }
     }
     text
+}
+
+/// Cases that are wrong in the same way: the first of them and their number.
+fn sorts<'a>(cases: &[&'a Case]) -> Vec<(&'a Case, usize)> {
+    let mut sorts: Vec<(&Case, usize)> = Vec::new();
+    for &case in cases {
+        match sorts
+            .iter_mut()
+            .find(|(first, _)| fault(first) == fault(case))
+        {
+            Some((_, count)) => *count += 1,
+            None => sorts.push((case, 1)),
+        }
+    }
+    sorts
+}
+
+/// Why a case is lost; else its kind, and what is worst about it.
+fn fault(case: &Case) -> [String; 3] {
+    let marks = [Mark::Invented, Mark::Missed, Mark::Wrong];
+    match &case.outcome {
+        Outcome::Lost(reason) | Outcome::Skipped(reason) => {
+            [String::new(), String::new(), reason.clone()]
+        }
+        Outcome::Scored(_) => {
+            let worst = marks.into_iter().find(|mark| case.count(*mark) > 0);
+            let worst = worst.map_or("inexact".to_owned(), |mark| mark.to_string());
+            [case.corpus.clone(), case.kind.clone(), worst]
+        }
+    }
 }
 
 fn row(head: &str, tally: &Tally) -> Vec<String> {
@@ -181,15 +221,20 @@ pub fn side_by_side(problem: &Problem, asked: &Asked) -> String {
     let Outcome::Scored(verdict) = &case.outcome else {
         return text;
     };
-    for line in &verdict.lines {
-        let digits = line
+    let (wrong, right): (Vec<&Line>, Vec<&Line>) =
+        verdict.lines.iter().partition(|line| !line.mark.is_good());
+    for line in wrong.into_iter().chain(right) {
+        let found = line
             .closeness
             .map(|closeness| format!(", {:.1} digits", closeness.digits()));
+        let invented = line
+            .nearest
+            .map(|digits| format!(", {digits:.1} digits of the nearest certified"));
         text += &format!(
             "\n{}: {}{}\n",
             line.place,
             line.mark,
-            digits.unwrap_or_default()
+            found.or(invented).unwrap_or_default()
         );
         for (name, side) in [("certified", &line.certified), ("given", &line.given)] {
             text += &format!("  {name:<9}  {}\n", side.as_deref().unwrap_or("-"));
