@@ -66,11 +66,11 @@ def solve(problem):
     except (ValueError, ZeroDivisionError) as error:
         raise Skipped(str(error)) from None
     above = [pair(parts, c) for parts in found[real:] for c in (False, True)]
-    return {
-        "pairs": [pair(parts) for parts in found[:real]],
-        "complex_pairs": above,
-        "counts": {"real": real, "complex": len(above)},
-    }
+    answer = {"pairs": [pair(parts) for parts in found[:real]], "complex_pairs": above}
+    # Of fewer than four some are multiple; which ones is not known.
+    if real + len(above) == 4:
+        answer["counts"] = {"real": real, "complex": len(above)}
+    return answer
 
 
 serve(solve)

@@ -14,6 +14,7 @@ from protocol import Skipped, serve
 # Of 77 digits.
 BITS = 256
 pari.set_real_precision(77)
+SMALL = pari("1e-40")
 x, y = pari("x"), pari("y")
 
 
@@ -60,14 +61,21 @@ def pairs_of(problem):
     found = []
     for root in (quartic / quartic.gcd(quartic.deriv(x)) if exact else quartic).polroots(precision=BITS):
         slope, rest = line.polcoef(1, y).subst(x, root), line.polcoef(0, y).subst(x, root)
+        if abs(slope) <= SMALL * size(line.polcoef(1, y), root):
+            raise Skipped("pairs that this elimination does not tell apart")
         other = -rest / slope
         at = [f.subst(x, root).subst(y, other) for f in (X, Y)]
         found.append((root, other, *at))
     return found
 
 
+def size(polynomial, root):
+    """The sum of the absolute values of its terms."""
+    return sum(abs(polynomial.polcoef(k, x)) * abs(root) ** k for k in range(2))
+
+
 def is_real(z):
-    return abs(z.imag()) <= abs(z) * pari("1e-40") or abs(z) < pari("1e-40")
+    return abs(z.imag()) <= abs(z) * SMALL or abs(z) < SMALL
 
 
 def shown(z):

@@ -48,10 +48,11 @@ def serve(solve):
     for line in sys.stdin:
         problem = json.loads(line, parse_float=str)
         try:
-            answer = {"result": solve(problem)}
+            # Infinite numbers and NaN are no JSON.
+            answer = json.dumps({"result": solve(problem)}, allow_nan=False)
         except Skipped as reason:
-            answer = {"skipped": str(reason)}
+            answer = json.dumps({"skipped": str(reason)})
         except Exception as error:
-            answer = {"error": f"{type(error).__name__}: {error}"}
+            answer = json.dumps({"error": f"{type(error).__name__}: {error}"})
         # Flushed at once: who asks waits for this line.
-        print(json.dumps(answer), flush=True)
+        print(answer, flush=True)
