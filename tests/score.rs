@@ -323,6 +323,36 @@ fn a_resting_point_is_of_the_family() {
     }
 }
 
+/// Right lengths stay right beside a wrong word.
+#[test]
+fn a_wrong_word_about_a_right_mechanism() {
+    let answer = json!({"mechanisms": [{"lambda": "2", "m": "3", "crank": "change-point"}]});
+    let reference = Reference::read("focal-mechanism", &answer, &Value::Null).unwrap();
+    for (given, found, right, wrong) in [
+        (json!({"lambda": 2, "m": 3, "crank": "turns"}), 1, 0, 1),
+        (
+            json!({"lambda": 2, "m": 3, "crank": "change-point"}),
+            1,
+            1,
+            0,
+        ),
+        (json!({"lambda": 2, "m": 3}), 1, 0, 0),
+        (
+            json!({"lambda": 2, "m": 4, "crank": "change-point"}),
+            0,
+            0,
+            0,
+        ),
+        (json!({"crank": "change-point"}), 0, 0, 0),
+    ] {
+        let verdict = reference
+            .judge(&json!({}), &json!({"mechanisms": [given]}))
+            .unwrap();
+        let counted = [Mark::Found, Mark::Right, Mark::Wrong].map(|mark| verdict.count(mark));
+        assert_eq!(counted, [found, right, wrong], "{given}");
+    }
+}
+
 #[test]
 fn order_factors_and_repetitions_do_not_matter() {
     let mut answers = in_floats();

@@ -41,7 +41,8 @@ pub fn member_error(certified: &Member, given: &Member, scale: &Rational) -> Opt
     let own = sizes.fold(Rational::new(), Rational::max);
     let scale = if own.is_zero() { scale } else { &own };
     let mut worst = None;
-    for (name, part) in &given.parts {
+    let telling = given.parts.iter().filter(|(_, part)| !part.is_remark());
+    for (name, part) in telling {
         if let Some((_, right)) = certified.parts.iter().find(|(other, _)| other == name) {
             let error = error(right, part, scale)?;
             worst = Some(worst.map_or(error.clone(), |worst: Rational| worst.max(error)));

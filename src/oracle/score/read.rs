@@ -31,6 +31,15 @@ pub enum Part {
     Degrees(Known),
     /// A word, a count, or that something is not there (`none`).
     Word(String),
+    /// A fact that does not tell which member of a set it belongs to.
+    Remark(String),
+}
+
+impl Part {
+    /// Whether it does not tell which member of a set it belongs to.
+    pub fn is_remark(&self) -> bool {
+        matches!(self, Part::Remark(_))
+    }
 }
 
 /// One of several things without an order, by its parts.
@@ -251,8 +260,9 @@ fn part(shape: &Shape, value: &Value, place: &str) -> Result<Part, Misread> {
             _ => Err(Misread::expected("two complex numbers", value, place)),
         },
         Shape::UpToFactor => Ok(Part::Ratio(numbers(value, None, place)?)),
+        Shape::Remark => Ok(Part::Remark(word(value, place)?)),
         Shape::Fact(_) | Shape::Each(_) | Shape::Set { .. } | Shape::Fields(_) => {
-            word(value, place)
+            Ok(Part::Word(word(value, place)?))
         }
     }
 }
@@ -283,12 +293,12 @@ fn complex(value: &Value, place: &str) -> Result<[Known; 2], Misread> {
     }
 }
 
-fn word(value: &Value, place: &str) -> Result<Part, Misread> {
+fn word(value: &Value, place: &str) -> Result<String, Misread> {
     match value {
-        Value::String(word) => Ok(Part::Word(word.clone())),
-        Value::Bool(truth) => Ok(Part::Word(truth.to_string())),
+        Value::String(word) => Ok(word.clone()),
+        Value::Bool(truth) => Ok(truth.to_string()),
         // 2 and 2.0 are one count.
-        Value::Number(_) => Ok(Part::Word(Known::read(value, place)?.value.to_string())),
+        Value::Number(_) => Ok(Known::read(value, place)?.value.to_string()),
         _ => Err(Misread::expected("a word or a count", value, place)),
     }
 }

@@ -1,7 +1,7 @@
 //! The shapes that parts of answers have, and what answers to every kind of problem consist of. A new
 //! kind of problem is added here and nowhere else.
 
-use Shape::{Angle, ComplexPoint, Each, Fact, Fields, Length, Point, Ray, Set, UpToFactor};
+use Shape::{Angle, ComplexPoint, Each, Fact, Fields, Length, Point, Ray, Remark, Set, UpToFactor};
 
 /// What a part of an answer is, and so how it is compared.
 #[derive(Debug)]
@@ -21,6 +21,8 @@ pub enum Shape {
     /// A word, a count or a truth, right or wrong. Listed are the ordinary ones: any other makes a
     /// degenerate case; with an empty list none does.
     Fact(&'static [&'static str]),
+    /// Of a member of a set, a fact that does not tell which one it is.
+    Remark,
     /// Members with names or with places in a list.
     Each(&'static Shape),
     /// Members without an order.
@@ -187,7 +189,7 @@ const FOCAL_MECHANISM: Shape = Fields(&[
                 ("AT", Length),
                 ("r", Length),
                 ("t", Length),
-                ("crank", ANY),
+                ("crank", Remark),
             ],
             required: false,
             degenerate: false,

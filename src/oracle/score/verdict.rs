@@ -354,9 +354,15 @@ impl Judge<'_> {
                 Some((other, error)) => {
                     let closeness =
                         has_numbers(other).then(|| Closeness::of_member(error, member, other));
-                    let other = shown_member(other);
                     let mark = if *needed { Mark::Found } else { Mark::OfFamily };
-                    self.line(place, mark, Some(text), Some(other), closeness);
+                    self.line(
+                        place,
+                        mark,
+                        Some(text),
+                        Some(shown_member(other)),
+                        closeness,
+                    );
+                    self.remarks(place, member, other);
                 }
                 None if *needed => self.line(place, Mark::Missed, Some(text), None, None),
                 None => {}
@@ -375,6 +381,22 @@ impl Judge<'_> {
                     self.invented(place, text, distances.min());
                 }
             }
+        }
+    }
+
+    /// What two that are the same say beside that.
+    fn remarks(&mut self, place: &str, certified: &Member, given: &Member) {
+        let remarks = certified.parts.iter().filter(|(_, part)| part.is_remark());
+        for (name, right) in remarks {
+            let stated = given.parts.iter().find(|(other, _)| other == name);
+            let mark = match stated {
+                Some((_, part)) if part == right => Mark::Right,
+                Some(_) => Mark::Wrong,
+                None => Mark::Unstated,
+            };
+            let given = stated.map(|(_, part)| shown(part));
+            let place = format!("{place}.{name}");
+            self.line(&place, mark, Some(shown(right)), given, None);
         }
     }
 
@@ -459,7 +481,7 @@ impl Judge<'_> {
 }
 
 fn has_numbers(member: &Member) -> bool {
-    let words = |part: &Part| matches!(part, Part::Word(_));
+    let words = |part: &Part| matches!(part, Part::Word(_) | Part::Remark(_));
     !member.parts.iter().all(|(_, part)| words(part))
 }
 
@@ -490,7 +512,7 @@ fn shown(part: &Part) -> String {
         },
         Part::Ratio(numbers) => listed(numbers, " : "),
         Part::Degrees(known) => format!("{}°", shown_number(known)),
-        Part::Word(word) => word.clone(),
+        Part::Word(word) | Part::Remark(word) => word.clone(),
     }
 }
 
