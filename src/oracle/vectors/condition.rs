@@ -195,6 +195,8 @@ struct Quantities {
     /// What is no number: it must stay as it is.
     words: Vec<String>,
     vectors: Vec<Vec<Rational>>,
+    /// Angles in degrees, which are the same a turn apart.
+    degrees: Vec<Rational>,
     /// Solutions in no order, each of a circlepoint and its center.
     pairs: Vec<[Vec<Rational>; 2]>,
 }
@@ -224,7 +226,14 @@ impl Quantities {
                 }
             }
         }
-        (!quantities.vectors.is_empty() || !quantities.pairs.is_empty()).then_some(quantities)
+        let Quantities {
+            vectors,
+            degrees,
+            pairs,
+            ..
+        } = &quantities;
+        let nothing = vectors.is_empty() && degrees.is_empty() && pairs.is_empty();
+        (!nothing).then_some(quantities)
     }
 
     /// Simple finite pairs only: multiple ones split, those at infinity come from there.
@@ -248,12 +257,11 @@ impl Quantities {
 
     fn collect(&mut self, name: &str, value: &Value) {
         if let Some(number) = shown(value) {
-            self.vectors.push(if name == "degrees" {
-                // Angles compare with a radian.
-                vec![number, Rational::from(57)]
+            if name == "degrees" {
+                self.degrees.push(number);
             } else {
-                vec![number]
-            });
+                self.vectors.push(vec![number]);
+            }
             return;
         }
         match value {
@@ -282,20 +290,29 @@ impl Quantities {
     fn change(&self, other: &Self) -> Option<Rational> {
         let alike = self.words == other.words
             && self.vectors.len() == other.vectors.len()
+            && self.degrees.len() == other.degrees.len()
             && self.pairs.len() == other.pairs.len();
         if !alike {
             return None;
         }
         let mut worst = Rational::new();
+        // What is zero is measured by the rest of the answer, the points of a pair by one another.
+        let all = largest(&self.vectors.concat());
         for (a, b) in self.vectors.iter().zip(&other.vectors) {
-            worst = worst.max(change(a, b)?);
+            worst = worst.max(change(a, b, &all)?);
+        }
+        let all = largest(&self.pairs.concat().concat());
+        for (a, b) in self.degrees.iter().zip(&other.degrees) {
+            worst = worst.max(change_of_angle(a, b));
         }
         let mut left: Vec<&[Vec<Rational>; 2]> = other.pairs.iter().collect();
         for [z, m] in &self.pairs {
+            let own = largest(z).max(largest(m));
+            let scale = if own.is_zero() { &all } else { &own };
             // The nearest of those that are left.
             let changes = left
                 .iter()
-                .map(|[z1, m1]| Some(change(z, z1)?.max(change(m, m1)?)));
+                .map(|[z1, m1]| Some(change(z, z1, scale)?.max(change(m, m1, scale)?)));
             let changes: Option<Vec<Rational>> = changes.collect();
             let nearest = changes?
                 .into_iter()
@@ -343,8 +360,17 @@ fn divided_by_largest(list: Vec<Rational>) -> Vec<Rational> {
     list.iter().map(|x| Rational::from(x / divisor)).collect()
 }
 
-/// Relative to the largest entry.
-fn change(a: &[Rational], b: &[Rational]) -> Option<Rational> {
+/// Relative to the angle, or to a radian where that is more.
+fn change_of_angle(a: &Rational, b: &Rational) -> Rational {
+    let turn = Rational::from(360);
+    let difference = Rational::from(a - b);
+    let turns = Rational::from(&difference / &turn).round();
+    let size = a.clone().abs().max(Rational::from(57));
+    (difference - turns * turn).abs() / size
+}
+
+/// Relative to the largest entry, or to `scale` where all are zero.
+fn change(a: &[Rational], b: &[Rational], scale: &Rational) -> Option<Rational> {
     if a.len() != b.len() {
         return None;
     }
@@ -353,9 +379,42 @@ fn change(a: &[Rational], b: &[Rational]) -> Option<Rational> {
         .zip(b)
         .map(|(a, b)| Rational::from(a - b))
         .collect();
-    let (difference, size) = (largest(&differences), largest(a));
+    let (difference, own) = (largest(&differences), largest(a));
     if difference.is_zero() {
         return Some(difference);
     }
+    let size = if own.is_zero() { scale } else { &own };
     (!size.is_zero()).then(|| difference / size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn condition_of(problem: &Value) -> f64 {
+        let answer = solve(problem, &Request::default());
+        let answer = answer.unwrap_or_default();
+        condition(problem, &answer).as_f64().unwrap_or(f64::NAN)
+    }
+
+    /// 180° and −180° are one angle.
+    #[test]
+    fn half_a_revolution_is_nothing_special() {
+        let problem = json!({"problem": "poles", "positions": [
+            {"x": "3", "y": "-5", "angle": {"tan_half": "-1/3"}},
+            {"x": "13/7", "y": "-6", "angle": {"cos": "-4/5", "sin": "3/5"}},
+        ]});
+        assert!((0.1..100.0).contains(&condition_of(&problem)));
+    }
+
+    /// A pole that happens to be the origin changes as others do.
+    #[test]
+    fn the_origin_is_nothing_special() {
+        let problem = json!({"problem": "poles", "positions": [
+            {"x": "0", "y": "0", "angle": {"tan_half": "0"}},
+            {"x": "0", "y": "0", "angle": {"tan_half": "1/2"}},
+            {"x": "3", "y": "1", "angle": {"tan_half": "2"}},
+        ]});
+        assert!((0.1..100.0).contains(&condition_of(&problem)));
+    }
 }
