@@ -4,12 +4,33 @@ Usage: tables.py PAGE PROBLEMS FOLDER
 """
 
 import datetime
+import importlib.metadata
 import json
 import pathlib
+import platform
+import shutil
+import subprocess
 import sys
 
 BEGIN, END = "<!-- scores begin -->", "<!-- scores end -->"
 ORDER = ["numpy_quartic", "flint_pairs", "pari_pairs", "pylinkage_burmester", "burmester_f64", "newton"]
+
+
+PACKAGES = ["numpy", "python-flint", "cypari", "pylinkage", "scipy"]
+
+
+def versions():
+    """Of what the candidates use, as far as it is there."""
+    found = [f"Python {platform.python_version()}"]
+    for package in PACKAGES:
+        try:
+            found.append(f"{package} {importlib.metadata.version(package)}")
+        except importlib.metadata.PackageNotFoundError:
+            pass
+    if shutil.which("node"):
+        version = subprocess.run(["node", "--version"], capture_output=True, text=True).stdout
+        found.append("Node " + version.strip().removeprefix("v"))
+    return ", ".join(found)
 
 
 def ratio(part, whole):
@@ -47,7 +68,8 @@ def main():
     reports = {path.stem: json.loads(path.read_text()) for path in folder.glob("*.json")}
     names = [name for name in ORDER if name in reports] + sorted(set(reports) - set(ORDER))
     today = datetime.date.today().isoformat()
-    lines = [BEGIN, "", f"`scripts/candidates/score_all.sh` on {today}; problems: `{problems}`.", ""]
+    run = f"`scripts/candidates/score_all.sh` on {today}; problems: `{problems}`. With {versions()}."
+    lines = [BEGIN, "", run, ""]
     lines += table("candidate", [row(f"`{name}`", reports[name]["total"]) for name in names])
     for name in names:
         asked = [c for c in reports[name]["by_corpus"] if c["skipped"] < c["problems"]]
