@@ -37,6 +37,7 @@ degenerate  cases out of the ordinary (infinitely many, at infinity, multiple) w
 time        of a problem, middle, and of all
 A solution is found within 1e-6 of its size, or within a thousand times what double precision
 allows at the problem's conditioning, whichever is larger.
+A multiple one may be given once or as often as it counts, a little torn apart by rounding.
 ";
 
 /// Table, legend and the worst cases.
