@@ -16,7 +16,9 @@ mod seed;
 
 use std::cmp::Ordering;
 
-use burmester::number::{Ball, Complex, Exact, Fraction, Kind, Number, Real, Ring, Surd, Truth};
+use burmester::number::{
+    Ball, Complex, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd, Truth,
+};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rug::Rational;
@@ -374,4 +376,44 @@ fn complex_balls() {
     Suite::new("Complex<Ball>", |random| complex(ball, random))
         .ring_and_field()
         .report();
+}
+
+/// Constants, and series to terms in t³ or t⁴, some without a constant term.
+fn series<K: Kind>(
+    draw: fn(&mut ChaCha8Rng) -> Number<K>,
+    random: &mut ChaCha8Rng,
+) -> Number<Series<K>> {
+    let order = random.random_range(3..=4);
+    match random.random_range(0..4) {
+        0 => draw(random).into(),
+        1 => Number::<Series<K>>::from(draw(random)) * Number::<Series<K>>::parameter(order),
+        _ => Number::from_coefficients((0..order).map(|_| draw(random)), order),
+    }
+}
+
+#[test]
+fn rational_series() {
+    Suite::new("Series<Exact>", |random| series(exact, random))
+        .ring_and_field()
+        .order()
+        .against_exact(|q| q.clone().into())
+        .report();
+}
+
+#[test]
+fn series_of_balls() {
+    Suite::new("Series<Ball>", |random| series(ball, random))
+        .ring_and_field()
+        .order()
+        .against_exact(|q| Number::<Ball>::rounded(q, &40).into())
+        .report();
+}
+
+#[test]
+fn complex_series() {
+    Suite::new("Complex<Series<Exact>>", |random| {
+        complex(|random| series(exact, random), random)
+    })
+    .ring_and_field()
+    .report();
 }

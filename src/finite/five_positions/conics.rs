@@ -70,7 +70,13 @@ pub struct Pair<K> {
 
 /// The pairs of five exact positions.
 pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
-    let rows: Option<Vec<_>> = rows(positions).iter().map(|row| integral(row)).collect();
+    pairs_of(&rows(positions))
+}
+
+/// The pairs that fulfil four conditions, each a row of exact coefficients: those of five positions, or
+/// what becomes of them where positions fall together.
+pub fn pairs_of(conditions: &[Vec<Number<Exact>>]) -> Option<Pairs> {
+    let rows: Option<Vec<_>> = conditions.iter().map(|row| integral(row)).collect();
     let basis: Vec<Coordinates<Exact>> = integer_kernel(&rows?, 7)
         .into_iter()
         .map(numbers)
