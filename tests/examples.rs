@@ -10,6 +10,8 @@ use std::process::{Command, Stdio};
 
 #[path = "../examples/check_a_solver.rs"]
 mod check_a_solver;
+#[path = "../examples/coming_together.rs"]
+mod coming_together;
 
 #[test]
 fn the_wrong_solver_is_told_what_is_wrong() {
@@ -17,6 +19,17 @@ fn the_wrong_solver_is_told_what_is_wrong() {
     let report = check_a_solver::checked().unwrap();
     for expected in ["pairs: missed", "pairs: invented", "ulp"] {
         assert!(report.contains(expected), "no {expected:?} in\n{report}");
+    }
+}
+
+#[test]
+fn five_positions_that_come_together() {
+    coming_together::main().unwrap();
+    let rows = coming_together::distances().unwrap();
+    // The distance goes to zero like h.
+    for pair in rows.windows(2) {
+        let ratio = pair[1].1 / pair[0].1;
+        assert!((0.005..0.02).contains(&ratio), "{rows:?}");
     }
 }
 

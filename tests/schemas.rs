@@ -23,6 +23,10 @@ fn validator(name: &str) -> Validator {
             Resource::from_contents(schema("number")).unwrap(),
         )
         .with_resource(
+            "burmester:five-positions.answer",
+            Resource::from_contents(schema("five-positions.answer")).unwrap(),
+        )
+        .with_resource(
             "burmester:geometry",
             Resource::from_contents(schema("geometry")).unwrap(),
         )
@@ -442,6 +446,30 @@ fn five_positions() {
 }
 
 /// Slides and turning blocks among the linkages, and wishes.
+#[test]
+fn mixed_positions() {
+    let derivative = |x: &str, y: &str, angle: &str| json!({"x": x, "y": y, "angle": angle});
+    for positions in [
+        json!([
+            {"x": "0", "y": "0", "angle": {"degrees": "0"}, "derivatives": [derivative("1", "0", "1")]},
+            {"x": "3", "y": "1", "angle": {"tan_half": "1/3"}},
+            {"x": "5", "y": "-1", "angle": {"cos": "3/5", "sin": "4/5"}, "derivatives": [derivative("2", "1", "-1")]},
+        ]),
+        json!([{
+            "x": "1", "y": "2", "angle": {"degrees": "10"},
+            "derivatives": [
+                derivative("0", "0", "1"), derivative("0", "1", "0"),
+                derivative("1/2", "-3", "0"), derivative("2", "1", "0"),
+            ],
+        }]),
+    ] {
+        answered(
+            "mixed-positions",
+            json!({"problem": "mixed-positions", "positions": positions}),
+        );
+    }
+}
+
 #[test]
 fn five_positions_with_wishes() {
     let tan_half = |text: &str| json!({"tan_half": text});

@@ -13,12 +13,14 @@
 //! - [`canonical`]: the pole, the polodes, and the motion seen from the pole: its instantaneous
 //!   invariants,
 //! - [`burmester`]: the points with five positions on a circle, by two routes,
+//! - [`mixed`]: five positions of which some are infinitely near each other,
 //! - [`slider_crank`]: those of a slider-crank, where no tangent has to be finite.
 
 pub mod burmester;
 pub mod canonical;
 pub mod closure;
 pub mod contact;
+pub mod mixed;
 pub mod motion;
 pub mod osculation;
 pub mod slider_crank;

@@ -47,6 +47,14 @@ impl<K: Kind> Number<Series<K>> {
         self.0.coefficient(j)
     }
 
+    /// The series of other coefficients, each made from its own.
+    pub fn map<L: Kind>(&self, convert: impl Fn(&Number<K>) -> Number<L>) -> Number<Series<L>> {
+        Number(Series {
+            coefficients: self.0.coefficients.iter().map(convert).collect(),
+            order: self.0.order,
+        })
+    }
+
     /// n where terms in tⁿ are the last that are known; `None` for a constant.
     pub fn order(&self) -> Option<usize> {
         self.0.order

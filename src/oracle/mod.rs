@@ -75,11 +75,12 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 7] = [
+pub const PROBLEMS: [&str; 8] = [
     "centerpoint-curve",
     "five-positions",
     "focal-mechanism",
     "hart",
+    "mixed-positions",
     "poles",
     "slider-crank-alternates",
     "three-positions",
@@ -106,6 +107,7 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
         "five-positions" => five_positions::answer(&fields, request)?,
         "focal-mechanism" => focal_mechanism::answer(&fields, request)?,
         "hart" => hart::answer(&fields, request)?,
+        "mixed-positions" => five_positions::mixed::answer(&fields, request)?,
         "poles" => poles::answer(&fields, request)?,
         "three-positions" => three_positions::answer(&fields, request)?,
         "slider-crank-alternates" => slider_crank_alternates::answer(&fields, request)?,

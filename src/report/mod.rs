@@ -9,6 +9,7 @@ mod focal_mechanism;
 mod frames;
 mod hart;
 mod linkage_panels;
+mod mixed_positions;
 mod poles;
 mod stretches;
 mod three_positions;
@@ -23,6 +24,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),
+        "mixed-positions" => mixed_positions::picture(problem, answer),
         "poles" => poles::picture(problem, answer),
         "three-positions" => three_positions::picture(problem, answer),
         _ => None,

@@ -21,7 +21,12 @@ pub struct Enclosed {
 /// The pairs of whatever positions lie in the enclosures; `None` where these are too wide to tell
 /// four different pairs apart.
 pub fn pairs(positions: &[Displacement<Ball>; 5], bits: u32) -> Option<Enclosed> {
-    let basis = kernel(&rows(positions), 7)?;
+    pairs_of(&rows(positions), bits)
+}
+
+/// The pairs that fulfil four conditions, each a row of coefficients in enclosures.
+pub fn pairs_of(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Enclosed> {
+    let basis = kernel(conditions, 7)?;
     let basis: [Coordinates<Ball>; 3] = basis
         .into_iter()
         .map(|vector| vector.try_into().ok())

@@ -1,24 +1,29 @@
 //! The judge of a Burmester pair: an interval test on the circle conditions themselves.
 
-use crate::number::{Ball, Number};
+use crate::number::{Ball, Kind, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 
+/// Four conditions of a pair, known by enclosures.
+pub trait Conditions {
+    /// The same with so many bits.
+    fn rounded(&self, bits: u32) -> Self;
+    /// The four values for x, y of the circlepoint and X, Y of the center.
+    fn values(&self, at: &Vector) -> Vector;
+    /// Their derivatives: a row for each value.
+    fn derivative(&self, at: &Vector) -> Matrix;
+}
+
 /// Whether the boxes around circlepoint z and center M hold exactly one pair: Krawczyk's operator
-/// m − Cf(m) + (1 − CJ)(box − m) of the four conditions |rⱼz + tⱼ − M|² = |r₁z + t₁ − M|² lies inside
-/// the boxes, with C near the inverse of the derivative in the middle m. `false` says nothing.
-pub fn holds_one_pair(
-    positions: &[Displacement<Ball>; 5],
-    [z, m]: [&Point<Ball>; 2],
-    bits: u32,
-) -> bool {
+/// m − Cf(m) + (1 − CJ)(box − m) of the four conditions lies inside the boxes, with C near the inverse
+/// of the derivative in the middle m. `false` says nothing.
+pub fn holds_one_pair(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> bool {
     // Boxes that are much larger than the enclosures will do, so that few bits mostly suffice.
     let mut few = FIRST_BITS.min(bits);
     loop {
         let short = |x: &Number<Ball>| Number(x.0.with_precision(few));
         let point = |z: &Point<Ball>| Number::complex(short(z.re()), short(z.im()));
-        let rounded = positions.each_ref().map(|position| position.map(short));
-        if test(&rounded, [&point(z), &point(m)], few).unwrap_or(false) {
+        if test(&conditions.rounded(few), [&point(z), &point(m)], few).unwrap_or(false) {
             return true;
         }
         if few >= bits {
@@ -31,10 +36,12 @@ pub fn holds_one_pair(
 /// Bits that are tried first.
 const FIRST_BITS: u32 = 128;
 
-type Vector = [Number<Ball>; 4];
-type Matrix = [Vector; 4];
+/// By x, y, X, Y.
+pub type Vector = [Number<Ball>; 4];
+/// Rows.
+pub type Matrix = [Vector; 4];
 
-fn test(positions: &[Displacement<Ball>; 5], [z, m]: [&Point<Ball>; 2], bits: u32) -> Option<bool> {
+fn test(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> Option<bool> {
     let unknowns = [z.re(), z.im(), m.re(), m.im()];
     // Room around the enclosure, so that its image can lie inside.
     let wide: Vec<Number<Ball>> = unknowns
@@ -47,9 +54,9 @@ fn test(positions: &[Displacement<Ball>; 5], [z, m]: [&Point<Ball>; 2], bits: u3
         .map(|x| Some(Number::rounded(&x.0.midpoint_rational()?, &bits)))
         .collect::<Option<_>>()?;
     let middle: Vector = middle.try_into().ok()?;
-    let inverse = approximate_inverse(&derivative(positions, &middle), bits)?;
-    let value = apply(&inverse, &conditions(positions, &middle));
-    let slope = derivative(positions, &wide);
+    let inverse = approximate_inverse(&conditions.derivative(&middle), bits)?;
+    let value = apply(&inverse, &conditions.values(&middle));
+    let slope = conditions.derivative(&wide);
     for i in 0..4 {
         let mut image = &middle[i] - &value[i];
         for k in 0..4 {
@@ -77,29 +84,38 @@ fn widened(x: &Number<Ball>, bits: u32) -> Option<Number<Ball>> {
     Some(Number(Ball::with_radius(&mid, &radius, bits)))
 }
 
-/// |rⱼz + tⱼ − M|² − |r₁z + t₁ − M|².
-fn conditions(positions: &[Displacement<Ball>; 5], [x, y, u, v]: &Vector) -> Vector {
-    let z = Number::complex(x.clone(), y.clone());
-    let m = Number::complex(u.clone(), v.clone());
-    let square = |position: &Displacement<Ball>| (position.of(&z) - &m).norm();
-    let first = square(&positions[0]);
-    std::array::from_fn(|j| square(&positions[j + 1]) - &first)
+/// The conditions of finite positions: |rⱼz + tⱼ − M|² − |r₁z + t₁ − M|².
+impl Conditions for [Displacement<Ball>; 5] {
+    fn rounded(&self, bits: u32) -> Self {
+        let short = |x: &Number<Ball>| Number(x.0.with_precision(bits));
+        self.each_ref().map(|position| position.map(short))
+    }
+
+    fn values(&self, [x, y, u, v]: &Vector) -> Vector {
+        let z = Number::complex(x.clone(), y.clone());
+        let m = Number::complex(u.clone(), v.clone());
+        let square = |position: &Displacement<Ball>| (position.of(&z) - &m).norm();
+        let first = square(&self[0]);
+        std::array::from_fn(|j| square(&self[j + 1]) - &first)
+    }
+
+    fn derivative(&self, [x, y, u, v]: &Vector) -> Matrix {
+        let z = Number::complex(x.clone(), y.clone());
+        let m = Number::complex(u.clone(), v.clone());
+        let gradient = |position| gradient(position, &z, &m);
+        let first = gradient(&self[0]);
+        std::array::from_fn(|j| {
+            let row = gradient(&self[j + 1]);
+            std::array::from_fn(|k| &row[k] - &first[k])
+        })
+    }
 }
 
 /// Of |d|² with d = rz + t − M: by z the real part of 2 d̄r and of 2 d̄ri, by M that of −2d̄ and −2d̄i.
-fn derivative(positions: &[Displacement<Ball>; 5], [x, y, u, v]: &Vector) -> Matrix {
-    let z = Number::complex(x.clone(), y.clone());
-    let m = Number::complex(u.clone(), v.clone());
-    let gradient = |position: &Displacement<Ball>| -> Vector {
-        let d = position.of(&z) - &m;
-        let turned = d.conj() * &position.rotation;
-        [2 * turned.re(), -2 * turned.im(), -2 * d.re(), -2 * d.im()]
-    };
-    let first = gradient(&positions[0]);
-    std::array::from_fn(|j| {
-        let row = gradient(&positions[j + 1]);
-        std::array::from_fn(|k| &row[k] - &first[k])
-    })
+pub fn gradient<K: Kind>(position: &Displacement<K>, z: &Point<K>, m: &Point<K>) -> [Number<K>; 4] {
+    let d = position.of(z) - m;
+    let turned = d.conj() * &position.rotation;
+    [2 * turned.re(), -2 * turned.im(), -2 * d.re(), -2 * d.im()]
 }
 
 fn apply(matrix: &Matrix, vector: &Vector) -> Vector {

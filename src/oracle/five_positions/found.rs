@@ -98,6 +98,21 @@ impl Found {
         }
     }
 
+    /// Of rational conditions whatever they come from, with no name for families.
+    pub fn of(pairs: &Pairs, bits: u32) -> Found {
+        match pairs {
+            Pairs::Isolated(isolated) => Found::isolated(isolated, &Known::new(), bits),
+            Pairs::Families(beside) => Found {
+                real: beside.iter().map(|pair| Real::exact(pair)).collect(),
+                complex: Vec::new(),
+                family: Families::Unknown,
+                eliminant: None,
+                method: "exact linear algebra",
+                alternates: None,
+            },
+        }
+    }
+
     /// Adds to the real pairs what they are as sums of square roots.
     pub fn with_surds(mut self, pairs: &Pairs) -> Self {
         if let Pairs::Isolated(isolated) = pairs {
@@ -192,8 +207,8 @@ impl Found {
     }
 
     /// `None` where the enclosures cannot tell whether a pair is at infinity.
-    pub fn enclosed(positions: &Five<Ball>, bits: u32) -> Option<Found> {
-        let pairs = enclosed::pairs(positions, bits)?;
+    pub fn enclosed(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Found> {
+        let pairs = enclosed::pairs_of(conditions, bits)?;
         let finite = |h: crate::number::Truth| h.is_no().then_some(Place::Finite);
         let real = pairs.real.into_iter().map(|coordinates| {
             Some(Real {

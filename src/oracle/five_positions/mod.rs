@@ -2,6 +2,7 @@
 
 mod found;
 mod known;
+pub mod mixed;
 mod writer;
 
 use rug::Rational;
@@ -12,6 +13,7 @@ use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::wishes::Wishes;
 use super::{Arithmetic, ProblemError, Request};
+use crate::finite::five_positions::conditions::rows;
 use crate::finite::five_positions::{conics, floats};
 use crate::finite::positions::Positions;
 use crate::number::{Ball, Exact, Number};
@@ -74,16 +76,16 @@ fn certified(
                     _ => found,
                 }
             }
-            (None, Some(positions)) => Found::enclosed(positions, bits),
+            (None, Some(positions)) => Found::enclosed(&rows(positions), bits),
             (None, None) => None,
         };
         match (found, positions) {
             (Some(found), Some(positions)) if !found.is_undecided() => {
-                let exact = exact.map(|(five, _)| five.clone());
                 let writer = Writer {
                     attempt,
-                    positions,
-                    exact,
+                    positions: positions.to_vec(),
+                    conditions: positions,
+                    exact: exact.map(|(five, _)| five.to_vec()),
                     wishes,
                 };
                 writer.answer(&found)
@@ -119,8 +121,9 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
     };
     let mut answer = Writer {
         attempt: &mut attempt,
-        positions,
-        exact: Some(five.clone()),
+        positions: positions.to_vec(),
+        conditions: positions,
+        exact: Some(five.to_vec()),
         wishes,
     }
     .answer(&found);

@@ -10,7 +10,7 @@ use crate::finite::five_positions::conditioning::conditioning;
 use crate::finite::five_positions::conditions::finite_pair;
 use crate::finite::five_positions::conics::Place;
 use crate::finite::five_positions::families::Family;
-use crate::finite::five_positions::krawczyk;
+use crate::finite::five_positions::krawczyk::{self, Conditions};
 use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::oracle::linkages::{self, Dyad};
@@ -18,18 +18,22 @@ use crate::oracle::numeral::{Numeral, together};
 use crate::oracle::sharpen::Attempt;
 use crate::oracle::wishes::Wishes;
 use crate::plane::Point;
+use crate::plane::displacement::Displacement;
 use crate::plane::polynomial::Polynomial;
 
 /// Writes what was found.
-pub struct Writer<'a> {
+pub struct Writer<'a, C> {
     pub attempt: &'a mut Attempt,
-    pub positions: Five<Ball>,
-    /// The positions, where they are rational.
-    pub exact: Option<Five<Exact>>,
+    /// What a pair must fulfil.
+    pub conditions: C,
+    /// The positions that are apart.
+    pub positions: Vec<Displacement<Ball>>,
+    /// The same, where they are rational.
+    pub exact: Option<Vec<Displacement<Exact>>>,
     pub wishes: Option<&'a Wishes>,
 }
 
-impl Writer<'_> {
+impl<C: Conditions> Writer<'_, C> {
     /// The whole answer.
     pub fn answer(mut self, found: &Found) -> Map<String, Value> {
         let mut pairs: Vec<(&Real, [Point<Ball>; 2])> = found
@@ -89,7 +93,7 @@ impl Writer<'_> {
             .collect();
         dyads.extend(at_infinity);
         let bits = self.attempt.bits;
-        let linkages = linkages::all(&dyads, self.exact.as_ref(), &self.positions, bits);
+        let linkages = linkages::all(&dyads, self.exact.as_deref(), &self.positions, bits);
         let mut written: Vec<Value> = linkages
             .iter()
             .map(|linkage| linkage.written(self.attempt))
@@ -109,10 +113,9 @@ impl Writer<'_> {
             "center": self.attempt.finite_point("pairs", m),
             "multiplicity": pair.multiplicity,
         });
-        let simple = pair.multiplicity == 1;
-        let estimate = simple
-            .then(|| conditioning(&self.positions, [z, m]))
-            .flatten();
+        let five = <&Five<Ball>>::try_from(self.positions.as_slice()).ok();
+        let five = five.filter(|_| pair.multiplicity == 1);
+        let estimate = five.and_then(|five| conditioning(five, [z, m]));
         if let (Some(estimate), Value::Object(fields)) = (estimate, &mut value) {
             let places = estimate.sensitivity.map(|place| place.map(rough));
             fields.insert("sensitivity".into(), json!(places));
@@ -245,7 +248,7 @@ impl Writer<'_> {
         let bits = self.attempt.bits;
         let verified: Vec<bool> = points
             .iter()
-            .map(|[z, m]| krawczyk::holds_one_pair(&self.positions, [z, m], bits))
+            .map(|[z, m]| krawczyk::holds_one_pair(&self.conditions, [z, m], bits))
             .collect();
         json!({"method": found.method, "bits": bits, "krawczyk": verified})
     }

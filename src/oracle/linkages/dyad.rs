@@ -110,7 +110,7 @@ fn oriented(direction: &Point<Ball>, shown: &Value) -> Point<Ball> {
 /// The linkage of two dyads, in balls of so many bits.
 pub fn in_balls(
     [first, second]: [&Dyad; 2],
-    positions: &[Displacement<Ball>; 5],
+    positions: &[Displacement<Ball>],
     bits: u32,
 ) -> Passage<Ball> {
     let round = |z: &Point<Ball>| {
@@ -131,7 +131,7 @@ pub fn in_balls(
 /// The linkage of two dyads that are known exactly, in exact positions.
 pub fn exactly(
     [first, second]: [&Dyad; 2],
-    positions: &[Displacement<Exact>; 5],
+    positions: &[Displacement<Exact>],
 ) -> Option<Passage<Surd>> {
     let [[a, p], [b, q]] = [first.exact.clone()?, second.exact.clone()?];
     let surd = |x: &Number<Exact>| Some(Number::<Surd>::from(x.0.rational()?.clone()));

@@ -25,8 +25,8 @@ pub struct Linkage<'a> {
 /// The linkages of every two dyads, in positions that may be known exactly.
 pub fn all<'a>(
     dyads: &'a [Dyad],
-    exact: Option<&[Displacement<Exact>; 5]>,
-    positions: &[Displacement<Ball>; 5],
+    exact: Option<&[Displacement<Exact>]>,
+    positions: &[Displacement<Ball>],
     bits: u32,
 ) -> Vec<Linkage<'a>> {
     let mut list = Vec::new();
