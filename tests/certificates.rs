@@ -280,6 +280,21 @@ fn damaged_answers_to_three_positions_are_rejected() {
 }
 
 #[test]
+fn damaged_answers_in_degrees_and_by_two_points_are_rejected() {
+    assert_damages_are_rejected(&["in-degrees", "by-two-points"], 500);
+}
+
+#[test]
+fn damaged_answers_to_five_positions_are_rejected() {
+    let names = [
+        "five-positions-of-linkages",
+        "sliders",
+        "random-five-positions",
+    ];
+    assert_damages_are_rejected(&names, 500);
+}
+
+#[test]
 fn damaged_answers_to_four_positions_are_rejected() {
     let names = [
         "random-four-positions",

@@ -9,7 +9,7 @@ use rug::Rational;
 use serde_json::{Value, json};
 
 /// Fields that claim nothing of the problem's solution, or only estimates.
-const NO_CLAIMS: [&str; 10] = [
+const NO_CLAIMS: [&str; 9] = [
     "problem",
     "id",
     "digits",
@@ -19,11 +19,10 @@ const NO_CLAIMS: [&str; 10] = [
     "condition",
     "to_double",
     "defects",
-    "fitted_angles",
 ];
 
 /// The ways of damaging an answer.
-pub const WAYS: [Way; 8] = [
+pub const WAYS: [Way; 9] = [
     Way::Digit,
     Way::Sign,
     Way::Missing,
@@ -32,6 +31,7 @@ pub const WAYS: [Way; 8] = [
     Way::Count,
     Way::Swapped,
     Way::Word,
+    Way::Truth,
 ];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -52,6 +52,8 @@ pub enum Way {
     Swapped,
     /// Another word of the same field.
     Word,
+    /// Yes for no.
+    Truth,
 }
 
 /// What stands where in an answer.
@@ -61,6 +63,7 @@ struct Places {
     lists: Vec<String>,
     counts: Vec<String>,
     words: Vec<String>,
+    truths: Vec<String>,
 }
 
 impl Places {
@@ -92,6 +95,7 @@ impl Places {
                 }
             }
             Value::Number(_) => self.counts.push(at),
+            Value::Bool(_) => self.truths.push(at),
             Value::String(_) if !at.contains("/vertices/") => self.words.push(at),
             _ => {}
         }
@@ -225,6 +229,11 @@ pub fn damage(
                 .map(|(_, word)| word)
                 .collect();
             *at(&mut answer, place) = json!(any(&others, random)?);
+            true
+        }
+        Way::Truth => {
+            let truth = at(&mut answer, any(&places.truths, random)?);
+            *truth = json!(!truth.as_bool()?);
             true
         }
     };

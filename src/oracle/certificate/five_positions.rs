@@ -1,16 +1,21 @@
 //! Whether an answer to five positions lists all pairs and nothing else.
 
-use rug::{Integer, Rational};
+use rug::Rational;
 use serde_json::{Value, json};
 
+use super::alternates::{Known, Listed as Finite};
+use super::geometry::Sheet;
+use super::linkages::{self, Dyad, Joint};
 use super::newton::{self, Vector};
+use super::rest::Rest;
 use super::roots::{self, Listed};
 use super::shown::{Coordinate, Shown, digits, list, point};
-use super::{Defect, family, require};
+use super::{Defect, alternates, eliminant, family, require};
 use crate::finite::positions::Positions;
 use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::oracle::positions::Given;
+use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 
 type Entry = Number<Complex<Ball>>;
@@ -29,11 +34,10 @@ struct Pair {
     is_real: bool,
 }
 
-/// Checks everything but what is said of the linkages.
-pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
+/// Checks everything but the linkages that slide and those at a change point.
+pub fn check(given: &Given, known: &[Known], answer: &Value) -> Result<(), Defect> {
     let digits = digits(answer)?;
     let bits = digits.saturating_mul(8).saturating_add(256);
-    let exact = given.rational().and_then(|positions| five(&positions));
     let mut pairs = Vec::new();
     for (name, is_real) in [("pairs", true), ("complex_pairs", false)] {
         for value in list(answer, name)? {
@@ -45,7 +49,33 @@ pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
     order(&pairs)?;
     different(&pairs)?;
     certificate(answer)?;
-    linkages(answer, at_infinity)?;
+    let sheet = Sheet {
+        answer,
+        digits,
+        bits,
+    };
+    let mut rest = Rest::default();
+    rest.after(linkages(given, &pairs, at_infinity, &sheet))?;
+    let finite: Vec<Finite<'_>> = pairs.iter().map(Pair::listed).collect();
+    let left = &answer["alternates"];
+    rest.after(alternates::check(known, &finite, at_infinity, left, digits))?;
+    rest.after(all_pairs(given, &pairs, at_infinity, &sheet))?;
+    rest.finish()
+}
+
+/// Whether the pairs are all that there are.
+fn all_pairs(
+    given: &Given,
+    pairs: &[Pair],
+    at_infinity: &[Value],
+    sheet: &Sheet<'_>,
+) -> Result<(), Defect> {
+    let Sheet {
+        answer,
+        digits,
+        bits,
+    } = *sheet;
+    let exact = given.rational().and_then(|positions| five(&positions));
     let undecided = answer["undecided"].as_str().unwrap_or_default();
     if undecided.split(", ").any(|name| name == "family") {
         return Err(Defect::unchecked("the answer leaves the family undecided"));
@@ -67,8 +97,8 @@ pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
         };
     }
     match exact {
-        Some(exact) => of_rational(&exact, answer, &pairs, at_infinity, digits, bits),
-        None => of_enclosed(answer, &pairs, at_infinity),
+        Some(exact) => of_rational(&exact, answer, pairs, at_infinity, digits, bits),
+        None => of_enclosed(answer, pairs, at_infinity),
     }
 }
 
@@ -202,22 +232,129 @@ fn certificate(answer: &Value) -> Result<(), Defect> {
     )
 }
 
-/// Every two dyads once.
-fn linkages(answer: &Value, at_infinity: &[Value]) -> Result<(), Defect> {
-    let linkages = list(answer, "linkages")?;
-    if !at_infinity.is_empty() {
-        return Ok(());
+/// Every two pairs once, in order, finite ones before those at infinity; and what is said of them.
+fn linkages(
+    given: &Given,
+    pairs: &[Pair],
+    at_infinity: &[Value],
+    sheet: &Sheet<'_>,
+) -> Result<(), Defect> {
+    let linkages = list(sheet.answer, "linkages")?;
+    let finite = list(sheet.answer, "pairs")?.len();
+    let mut names: Vec<Value> = (0..finite).map(Value::from).collect();
+    for (place, pair) in at_infinity.iter().enumerate() {
+        let is_new = place == 0 || at_infinity[place - 1] != *pair;
+        if is_new && pair["kind"] != "isotropic" {
+            names.push(json!({"at_infinity": place}));
+        }
     }
-    let count = list(answer, "pairs")?.len();
-    let every: Vec<Value> = (0..count)
-        .flat_map(|i| (i + 1..count).map(move |j| json!([i, j])))
-        .collect();
-    let listed: Vec<&Value> = linkages.iter().map(|linkage| &linkage["pairs"]).collect();
+    let every = names.iter().enumerate().flat_map(|(place, one)| {
+        let others = names.iter().skip(place + 1);
+        others.map(move |other| json!([one, other]))
+    });
+    let listed = linkages.iter().map(|linkage| linkage["pairs"].clone());
     require(
-        listed.len() == every.len() && listed.into_iter().eq(every.iter()),
+        listed.eq(every),
         "linkages",
         "not every two pairs, once each",
-    )
+    )?;
+    let finite = finite_dyads(given, pairs, sheet.bits);
+    let infinite = infinite_dyads(given, at_infinity, sheet)?;
+    let named = |name: &Value| {
+        let (list, place) = match name.as_u64() {
+            Some(place) => (&finite, Some(place)),
+            None => (&infinite, name["at_infinity"].as_u64()),
+        };
+        list.get(usize::try_from(place?).ok()?)
+    };
+    let mut rest = Rest::default();
+    for linkage in linkages {
+        if let [Some(first), Some(second)] =
+            [0, 1].map(|side: usize| named(&linkage["pairs"][side]))
+        {
+            rest.after(linkages::check([first, second], linkage, sheet))?;
+        }
+    }
+    rest.finish()
+}
+
+/// The pairs at infinity, with the directions that are listed.
+fn infinite_dyads(
+    given: &Given,
+    at_infinity: &[Value],
+    sheet: &Sheet<'_>,
+) -> Result<Vec<Dyad>, Defect> {
+    let positions = given.rounded::<Ball>(&sheet.bits);
+    let read = |value: &Value| -> Result<Point<Ball>, Defect> {
+        let [x, y] = point(value, "at_infinity", sheet.digits)?;
+        // An exact number has no precision, to which a length could be computed.
+        let part = |part: &Shown| Number(part.ball(sheet.bits).0.with_precision(sheet.bits));
+        Ok(Number::complex(part(&x.re), part(&y.re)))
+    };
+    let dyad = |value: &Value| {
+        let direction = || read(&value["direction"]);
+        let places = positions.displacements().iter();
+        let (center, places) = match value["kind"].as_str() {
+            Some("center") => {
+                let z = read(&value["circlepoint"])?;
+                let places = places.map(|position| Joint::At(position.of(&z)));
+                (Joint::towards(&direction()?), places.collect())
+            }
+            Some("circlepoint") => {
+                let z = direction()?;
+                let places = places.map(|position| Joint::towards(&(&position.rotation * &z)));
+                (Joint::At(read(&value["center"])?), places.collect())
+            }
+            _ => (Joint::At(Number::zero()), Vec::new()),
+        };
+        Ok(Dyad {
+            center,
+            places,
+            exact: None,
+        })
+    };
+    at_infinity.iter().map(dyad).collect()
+}
+
+/// The real finite pairs with the places of their circlepoints.
+fn finite_dyads(given: &Given, pairs: &[Pair], bits: u32) -> Vec<Dyad> {
+    let positions = given.rounded::<Ball>(&bits);
+    let first = given.rational();
+    let first = first.and_then(|all| all.displacements().first().cloned());
+    let real = |x: &Entry, y: &Entry| Number::complex(x.re().clone(), y.re().clone());
+    let real_pairs = pairs.iter().filter(|pair| pair.is_real);
+    real_pairs
+        .map(|pair| {
+            let [x, y, cx, cy] = &pair.enclosure;
+            let z = real(x, y);
+            let places = positions.displacements().iter();
+            let exact = pair.exactly().zip(first.as_ref());
+            Dyad {
+                center: Joint::At(real(cx, cy)),
+                places: places.map(|position| Joint::At(position.of(&z))).collect(),
+                exact: exact.map(|([z, center], first)| [center, first.of(&z)]),
+            }
+        })
+        .collect()
+}
+
+impl Pair {
+    fn listed(&self) -> Finite<'_> {
+        Finite {
+            entries: &self.enclosure,
+            multiplicity: self.multiplicity,
+            is_real: self.is_real,
+        }
+    }
+
+    /// Circlepoint and center, where they are listed exactly.
+    fn exactly(&self) -> Option<[Point<Exact>; 2]> {
+        let parts = self.shown.each_ref().map(|part| &part.re);
+        let number = |part: &Shown| Number::<Exact>::from(part.value.clone());
+        let [x, y, cx, cy] = parts.map(number);
+        let is_exact = parts.iter().all(|part| part.is_exact());
+        is_exact.then(|| [Number::complex(x, y), Number::complex(cx, cy)])
+    }
 }
 
 /// Four simple finite pairs are all that two conics can have in common.
@@ -360,22 +497,7 @@ fn eliminant(
     at_infinity: &[Value],
 ) -> Result<(), Defect> {
     let place = "eliminant";
-    let Some(shown) = answer[place].as_array() else {
-        return Err(Defect::unchecked(
-            "the answer leaves the eliminant undecided",
-        ));
-    };
-    let integers: Option<Vec<Integer>> = shown
-        .iter()
-        .map(|value| value.as_str()?.parse::<Integer>().ok())
-        .collect();
-    let integers = integers.ok_or_else(|| Defect::wrong(place, "integers were expected"))?;
-    let rationals: Vec<Rational> = integers.iter().map(Rational::from).collect();
-    require(
-        primitive(&rationals) == integers,
-        place,
-        "primitive integers were expected, the first positive",
-    )?;
+    let integers = eliminant::integers(&answer[place], place)?;
     let total: usize = pairs.iter().map(|pair| pair.multiplicity).sum();
     require(
         integers.len() == total + 1,
@@ -389,32 +511,9 @@ fn eliminant(
         let same = own.is_some_and(|own| primitive(&own) == integers);
         return require(same, place, "an independent elimination gives another one");
     }
-    let one: Entry = Number::one();
-    let mut product = vec![one];
-    for pair in pairs {
-        for _ in 0..pair.multiplicity {
-            let x = if pair.multiplicity == 1 {
-                pair.enclosure[0].clone()
-            } else {
-                pair.shown[0].ball(512)
-            };
-            product = times_linear(&product, &x);
-        }
-    }
-    let leading = rationals.first().cloned().unwrap_or_default();
-    let right = product.iter().zip(&rationals).all(|(own, integer)| {
-        let quotient = Rational::from(integer / &leading);
-        own.re().0.contains(&quotient) && own.im().0.contains(&Rational::new())
-    });
-    require(right, place, "it does not belong to the pairs")
-}
-
-/// Times z + x, the highest power first.
-fn times_linear(polynomial: &[Entry], x: &Entry) -> Vec<Entry> {
-    let mut product: Vec<Entry> = polynomial.to_vec();
-    product.push(Number::zero());
-    for (entry, lower) in product.iter_mut().skip(1).zip(polynomial) {
-        *entry += lower * x;
-    }
-    product
+    let own: Vec<(&Entry, usize)> = pairs
+        .iter()
+        .map(|pair| (&pair.enclosure[0], pair.multiplicity))
+        .collect();
+    eliminant::is_of_roots(&answer[place], place, &own)
 }

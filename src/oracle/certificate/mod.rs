@@ -1,26 +1,39 @@
 //! The checker: whether an answer is right, told without the solver that made it.
 //!
-//! What a checker covers:
+//! What a checker covers, each kind by conditions that define the answer:
 //!
 //! - `five-positions`: that every pair fulfils the circle conditions (each in a box that provably holds
 //!   exactly one), that the digits hold it, that all are different, none missing and none invented (four
 //!   simple pairs are all there can be; else by two eliminants on a route of their own, with
-//!   multiplicities), counts, order, pairs at infinity, eliminant, family. Not what is said of the
-//!   linkages, but which pairs they are made of.
-//! - `centerpoint-curve`: the poles and the coefficients of both curves, by a route of their own.
-//! - `poles`, `three-positions`: the poles by their defining equations, the turns, the pairs by their
-//!   distances.
+//!   multiplicities), counts, order, pairs at infinity, eliminant, family, what is left beside the known
+//!   pairs; of every linkage with at most one joint at infinity type, cranks, circuit, branch, order and
+//!   transmission angle. Not estimates of conditioning, nor `defects`, which are words for the same.
+//! - `centerpoint-curve`: the poles, the coefficients of both curves by the loop closure, type, focus,
+//!   asymptote, midline and double points by the curve's own equation, the quadrilaterals.
+//! - `poles`, `three-positions`: the points with one place in two positions, the turns; the circles by
+//!   the area of three places, the pairs by the distances from three places.
+//! - `hart`, `focal-mechanism`: that the lengths stay in many positions, that there are as many
+//!   mechanisms, how the crank moves.
+//! - `slider-crank-alternates`: that A, B, C, D keep their distances up to the fourth order, and that
+//!   there are no others.
 //!
-//! Other kinds have no checker yet, and say so.
+//! Not covered, and said so where it is asked for: what is said of wishes; pairs beside a family; poles
+//! that may be finite or not; linkages of two joints at infinity, degenerate ones, and those with a
+//! position that is a dead centre itself. What an answer names as undecided is not checked, all else of
+//! it is.
 
+mod alternates;
 mod centerpoint_curve;
 mod curve;
+mod eliminant;
 mod family;
+mod fitted;
 mod five_positions;
 mod focal_mechanism;
 mod geometry;
 mod hart;
 mod known;
+mod linkages;
 mod newton;
 mod poles;
 mod quadrilateral;
@@ -29,12 +42,14 @@ mod roots;
 mod shown;
 mod slider_crank_alternates;
 mod three_positions;
+mod way;
 
 use serde_json::Value;
 use thiserror::Error;
 
 use super::input::Fields;
 use super::positions::Given;
+use rest::Rest;
 
 /// What is wrong with an answer.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -92,22 +107,40 @@ pub fn check_answer(problem: &Value, answer: &Value) -> Result<(), Defect> {
         "problem",
         "the answer is to another kind of problem",
     )?;
-    let given = |least, most| Given::read(&fields, least, most).map_err(refused);
+    let mut rest = Rest::default();
+    rest.after(check_kind(name, &fields, answer))?;
+    if fields.has("positions") {
+        let given = Given::read(&fields, 1, usize::MAX).map_err(refused)?;
+        rest.after(fitted::check(&given, answer))?;
+    }
+    if fields.has("wishes") {
+        rest.after(Err(Defect::unchecked("what is said of the wishes")))?;
+    }
+    rest.finish()
+}
+
+/// What belongs to a kind of problem alone.
+fn check_kind(name: &str, fields: &Fields<'_>, answer: &Value) -> Result<(), Defect> {
+    let refused = |error: super::ProblemError| Defect::wrong("problem", error.to_string());
+    let given = |least, most| Given::read(fields, least, most).map_err(refused);
     match name {
-        "five-positions" => five_positions::check(&given(5, 5)?, answer),
+        "five-positions" => {
+            let known = alternates::Known::read(fields).map_err(refused)?;
+            five_positions::check(&given(5, 5)?, &known, answer)
+        }
         "centerpoint-curve" => centerpoint_curve::check(&given(4, 4)?, answer),
         "three-positions" => {
-            let given = three_positions::Given::read(&fields).map_err(refused)?;
+            let given = three_positions::Given::read(fields).map_err(refused)?;
             three_positions::check(&given, answer)
         }
         "poles" => poles::check(&given(2, 9)?, answer),
-        "hart" => hart::check(&hart::Given::read(&fields).map_err(refused)?, answer),
+        "hart" => hart::check(&hart::Given::read(fields).map_err(refused)?, answer),
         "focal-mechanism" => {
-            let given = focal_mechanism::Given::read(&fields).map_err(refused)?;
+            let given = focal_mechanism::Given::read(fields).map_err(refused)?;
             focal_mechanism::check(&given, answer)
         }
         "slider-crank-alternates" => {
-            let given = slider_crank_alternates::Given::read(&fields).map_err(refused)?;
+            let given = slider_crank_alternates::Given::read(fields).map_err(refused)?;
             slider_crank_alternates::check(&given, answer)
         }
         other => Err(Defect::unchecked(format!("no checker for {other} yet"))),

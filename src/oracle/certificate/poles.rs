@@ -2,10 +2,11 @@
 
 use serde_json::Value;
 
+use super::fitted::is_turn;
 use super::geometry::Sheet;
 use super::known::Known;
 use super::rest::Rest;
-use super::shown::{Shown, decided};
+use super::shown::decided;
 use super::{Defect, require};
 use crate::finite::positions::Positions;
 use crate::number::{Ball, Number};
@@ -109,16 +110,8 @@ fn turns(positions: &Positions<Ball>, sheet: &Sheet<'_>) -> Result<(), Defect> {
         };
         let turn = &b.rotation * a.rotation.conj();
         let degrees = &sheet.answer[place][&label(i, j)]["degrees"];
-        let degrees = Shown::read(decided(sheet.answer, degrees, place)?, place)?;
-        let sharp = degrees.is_sharp(&rug::Rational::new(), sheet.digits);
-        require(sharp, place, "the radius is larger than the digits allow")?;
-        let in_range = degrees.value > -180 && degrees.value <= 180;
-        require(in_range, place, "above -180 and at most 180 was expected")?;
-        let degrees = Number(degrees.ball(sheet.bits).0.with_precision(sheet.bits));
-        let radians = degrees * Number::pi(&sheet.bits) / 180;
-        let right = radians.clone().cos().0.overlaps(&turn.re().0)
-            && radians.sin().0.overlaps(&turn.im().0);
-        require(right, place, "this is not the angle between the positions")?;
+        let degrees = decided(sheet.answer, degrees, place)?;
+        is_turn(degrees, &turn, place, sheet)?;
     }
     Ok(())
 }

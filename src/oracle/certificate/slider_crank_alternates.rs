@@ -107,7 +107,7 @@ fn number(
     };
     let is_infinite = is_zero(denominator, exact.map(|[_, denominator]| denominator));
     let vanishes = is_zero(numerator, exact.map(|[numerator, _]| numerator));
-    match (shown.get("infinite").is_some(), is_infinite, vanishes) {
+    match (shown["infinite"] == true, is_infinite, vanishes) {
         (_, Truth::Unknown, _) => Err(Defect::unchecked(format!("whether {name} is infinite"))),
         (_, Truth::Yes, vanishes) if !vanishes.is_no() => {
             Err(Defect::unchecked(format!("{name} is not determined")))
@@ -158,6 +158,8 @@ impl<K: Real> SliderCrank<K> {
         }
         let k = &self.k;
         let [u, v] = self.cubic().map(|part| part / &turn);
+        // Exactly so, where the cubic is the inflection circle and the pole normal.
+        let u = if ca.is_zero().is_yes() { k.clone() } else { u };
         let (a3, b3) = (3 * (&u - k), 3 * &v);
         let (sigma, rho) = (sa.inverse(), (k + 1) / sa);
         let j = &b3 * ca - &a3 * sa;
@@ -222,24 +224,27 @@ impl<K: Real> Motion<K> {
     }
 }
 
-/// The form without the zero (c, s).
+/// The form without the zero (c, s): from both ends, so that zeros on the tangent and on the normal stay
+/// exact.
 fn without<K: Real>(form: &[Number<K>], [c, s]: &Ray<K>) -> Vec<Number<K>> {
-    let mut quotient: Vec<Number<K>> = Vec::new();
-    let from_below = s.square().compare(&c.square()) != Some(Ordering::Less);
     let count = form.len().saturating_sub(1);
-    if from_below {
-        for coefficient in form.iter().take(count) {
-            let carried = quotient.last().map_or_else(Number::zero, |last| c * last);
-            quotient.push((coefficient + carried) / s);
-        }
-    } else {
-        for coefficient in form.iter().rev().take(count) {
-            let carried = quotient.last().map_or_else(Number::zero, |last| s * last);
-            quotient.push((carried - coefficient) / c);
-        }
-        quotient.reverse();
+    let from_below = match (c.is_zero(), s.is_zero()) {
+        (Truth::Yes, _) => count,
+        (_, Truth::Yes) => 0,
+        _ => count.div_ceil(2),
+    };
+    let mut below: Vec<Number<K>> = Vec::new();
+    for coefficient in form.iter().take(from_below) {
+        let carried = below.last().map_or_else(Number::zero, |last| c * last);
+        below.push((coefficient + carried) / s);
     }
-    quotient
+    let mut above: Vec<Number<K>> = Vec::new();
+    for coefficient in form.iter().rev().take(count - from_below) {
+        let carried = above.last().map_or_else(Number::zero, |last| s * last);
+        above.push((carried - coefficient) / c);
+    }
+    below.extend(above.into_iter().rev());
+    below
 }
 
 /// Whether the rays and the distances on them are those of B and C.
