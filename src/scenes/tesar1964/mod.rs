@@ -8,14 +8,20 @@
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
 
+pub(super) mod ball_burmester;
 pub(super) mod burmester_pair;
+pub(super) mod burmester_points;
 pub(super) mod circlepoint;
 pub(super) mod conics;
+pub(super) mod coupler_point;
 pub(super) mod five_positions;
 pub(super) mod five_positions_on_a_line;
+pub(super) mod four_bar;
+pub(super) mod inflection_pole;
 pub(super) mod known_center;
 pub(super) mod moving_plane;
 pub(super) mod point_on_a_line;
+mod pole_frame;
 pub(super) mod positions_on_a_line;
 mod quadratic;
 pub(super) mod slider_crank;

@@ -1,0 +1,162 @@
+//! Chapter II: a Burmester point on the inflection circle, and the three others.
+
+use super::pole_frame::{
+    Constants, Pair, fourth_tangent, inflection_point, pair_on_ray, ray_of_tangent, unless_contact,
+    with_burmester_rays,
+};
+use crate::curvature::canonical::Invariants;
+use crate::formula::Bindings;
+use crate::number::{Kind, Number, Real};
+use crate::plane::{Angle, Point};
+use crate::scenes::scene::scene;
+use crate::scenes::{Free, Scene, Unbuilt};
+
+pub const SCENE: Scene = scene!(
+    "tesar1964/ball-burmester-point",
+    "A motion with a Burmester point D on the inflection circle, whose diameter is 1: the coupler of a \
+     four-bar with the pins A and B, and of a slider-crank with the crank pin A and the slider's pin D. \
+     The rays of A, B and D are free; contact of order four, from the series of the paths, leaves one \
+     motion, and with it the fourth Burmester point C.",
+    build,
+    [
+        "alpha_a": "ray of the Burmester point A",
+        "alpha_b": "ray of the Burmester point B",
+        "alpha_c": "ray of the Burmester point C",
+        "alpha_d": "ray of the Burmester point D",
+        "PA": "from the pole to A, along its ray",
+        "PB": "from the pole to B, along its ray",
+        "PC": "from the pole to C, along its ray",
+        "PD": "from the pole to D, along its ray",
+        "r_c": "the same as PC",
+        "PO_a": "from the pole to the center of the path of A",
+        "PO_b": "from the pole to the center of the path of B",
+        "PO_c": "from the pole to the center of the path of C",
+        "A": "Burmester point",
+        "B": "Burmester point",
+        "C": "Burmester point",
+        "D": "Burmester point on the inflection circle",
+        "M": "diameter of the circle that osculates the cubic in the pole and touches the pole tangent",
+        "N": "the same for the pole normal",
+        "R": "radius of curvature of the moving polode",
+        "V": "tan alpha_a + tan alpha_b",
+        "W": "tan alpha_a tan alpha_b",
+        "k": "PO_a / sin alpha_a",
+        "K_b": "tan alpha_b - tan alpha_d",
+        "K_c": "tan alpha_c - tan alpha_d",
+    ]
+);
+
+pub const DOUBLE: Scene = scene!(
+    "tesar1964/ball-double-burmester-point",
+    "The same with two Burmester points, C and D, that coincide on the inflection circle. The tangent of the \
+     ray of C is linear in that of the ray of D; the two are made equal.",
+    build_double,
+    [
+        "alpha_a": "ray of the Burmester point A",
+        "alpha_b": "ray of the Burmester point B",
+        "alpha_d": "ray of the Burmester points C and D, modulo 180 deg",
+        "PA": "from the pole to A, along its ray",
+        "PB": "from the pole to B, along its ray",
+        "PO_a": "from the pole to the center of the path of A, along the ray",
+        "PO_b": "from the pole to the center of the path of B, along the ray",
+        "O_aA": "from the center of the path of A to A, along the ray",
+        "O_bB": "from the center of the path of B to B, along the ray",
+        "V": "tan alpha_a + tan alpha_b",
+        "W": "tan alpha_a tan alpha_b",
+    ]
+);
+
+/// The motion whose Burmester point on a ray is on the inflection circle: a₃ and b₃ are such that the
+/// path of that point has contact of order three with a line, L = 0 on its ray.
+pub(super) fn motion_with<K: Kind>(a: &Point<K>, b: &Point<K>, d: &Point<K>) -> Invariants<K> {
+    let third = Number::complex(-d.im(), d.re().clone());
+    with_burmester_rays([a, b, d], &third, true)
+}
+
+fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let angles = [
+        free.angle("alpha_a")?,
+        free.angle("alpha_b")?,
+        free.angle("alpha_d")?,
+    ];
+    let rays = angles.each_ref().map(|angle| angle.cis());
+    let [a, b, d] = &rays;
+    let invariants = motion_with(a, b, d);
+    let tangent = fourth_tangent(&invariants, [a, b, d]);
+    let (alpha_c, c) = ray_of_tangent(free, "1/cos alpha_c", &tangent)?;
+    let motion = invariants.motion();
+    let pairs = [
+        ("a", pair_on_ray(&invariants, a)),
+        ("b", pair_on_ray(&invariants, b)),
+        ("c", pair_on_ray(&invariants, &c)),
+        ("d", inflection_point(d)),
+    ];
+    unless_contact(&motion, pairs.iter().map(|(_, pair)| pair))?;
+    let mut bindings = Bindings::new(free.precision());
+    for (name, pair) in &pairs {
+        let upper = name.to_uppercase();
+        bindings.bind(&format!("P{upper}"), pair.to_point());
+        bindings.bind(&upper, pair.point.clone());
+        if pair.center.is_some() {
+            bindings.bind(&format!("PO_{name}"), pair.to_center());
+        }
+    }
+    let [alpha_a, alpha_b, alpha_d] = angles;
+    bindings.bind("r_c", pairs[2].1.to_point());
+    bindings.bind("k", pairs[0].1.to_center() / alpha_a.sin());
+    bindings.bind("K_b", alpha_b.tan() - alpha_d.tan());
+    bindings.bind("K_c", &tangent - alpha_d.tan());
+    bind_sum_and_product(&mut bindings, &alpha_a, &alpha_b);
+    Constants::of(&motion)?.bind(&mut bindings);
+    bindings.bind("alpha_a", alpha_a);
+    bindings.bind("alpha_b", alpha_b);
+    bindings.bind("alpha_c", alpha_c);
+    bindings.bind("alpha_d", alpha_d);
+    Ok(bindings)
+}
+
+fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let (alpha_a, alpha_b) = (free.angle("alpha_a")?, free.angle("alpha_b")?);
+    let (a, b) = (alpha_a.cis(), alpha_b.cis());
+    let direction = |tan: &Number<K>| Number::complex(Number::one(), tan.clone());
+    let fourth = |tan: i64| {
+        let d = direction(&tan.into());
+        fourth_tangent(&motion_with(&a, &b, &d), [&a, &b, &d])
+    };
+    let (zero, one) = (fourth(0), fourth(1));
+    // zero + (one − zero) t = t
+    let tangent = &zero / (1 + &zero - one);
+    let d = direction(&tangent);
+    let invariants = motion_with(&a, &b, &d);
+    let again = fourth_tangent(&invariants, [&a, &b, &d]);
+    Unbuilt::unless_true::<K>(again.equals(&tangent), "C and D coincide")?;
+    let pairs = [
+        ("a", pair_on_ray(&invariants, &a)),
+        ("b", pair_on_ray(&invariants, &b)),
+    ];
+    let on_circle = inflection_point(&d);
+    let all = pairs.iter().map(|(_, pair)| pair).chain([&on_circle]);
+    unless_contact(&invariants.motion(), all)?;
+    let mut bindings = Bindings::new(free.precision());
+    for (name, pair) in &pairs {
+        bind_crank(&mut bindings, name, pair);
+    }
+    bind_sum_and_product(&mut bindings, &alpha_a, &alpha_b);
+    bindings.bind("alpha_a", alpha_a);
+    bindings.bind("alpha_b", alpha_b);
+    bindings.bind("alpha_d", Angle::from_tan(tangent));
+    Ok(bindings)
+}
+
+fn bind_crank<K: Real>(bindings: &mut Bindings<K>, name: &str, pair: &Pair<K>) {
+    let upper = name.to_uppercase();
+    let (point, center) = (pair.to_point(), pair.to_center());
+    bindings.bind(&format!("O_{name}{upper}"), &point - &center);
+    bindings.bind(&format!("P{upper}"), point);
+    bindings.bind(&format!("PO_{name}"), center);
+}
+
+fn bind_sum_and_product<K: Real>(bindings: &mut Bindings<K>, a: &Angle<K>, b: &Angle<K>) {
+    bindings.bind("V", a.tan() + b.tan());
+    bindings.bind("W", a.tan() * b.tan());
+}
