@@ -43,7 +43,7 @@ const ANY: Shape = Fact(&[]);
 /// The parts of an answer to a problem of this kind that are scored.
 pub fn of(problem: &str) -> Option<&'static Shape> {
     Some(match problem {
-        "five-positions" => &FIVE_POSITIONS,
+        "five-positions" | "mixed-positions" => &FIVE_POSITIONS,
         "centerpoint-curve" => &CENTERPOINT_CURVE,
         "poles" => &POLES,
         "three-positions" => &THREE_POSITIONS,

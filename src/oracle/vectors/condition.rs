@@ -126,10 +126,24 @@ impl Disturbance {
         if let Some(points) = position["points"].as_array() {
             return self.two_points(position, points);
         }
-        Some(json!({
+        let mut changed = json!({
             "x": self.coordinate(&position["x"])?,
             "y": self.coordinate(&position["y"])?,
             "angle": self.angle(&position["angle"])?,
+        });
+        if let Some(derivatives) = position.get("derivatives") {
+            changed["derivatives"] = self.list(derivatives, Self::derivative)?;
+        }
+        Some(changed)
+    }
+
+    /// Lengths like coordinates, angles like those in radians.
+    fn derivative(&mut self, derivative: &Value) -> Option<Value> {
+        let step = self.step();
+        Some(json!({
+            "x": self.coordinate(&derivative["x"])?,
+            "y": self.coordinate(&derivative["y"])?,
+            "angle": (number(&derivative["angle"])? + step).to_string(),
         }))
     }
 
@@ -217,7 +231,7 @@ impl Quantities {
     /// `None` where there is no number that could change smoothly.
     fn of(answer: &Value) -> Option<Self> {
         let mut quantities = Quantities::default();
-        if answer["problem"] == "five-positions" {
+        if answer["problem"] == "five-positions" || answer["problem"] == "mixed-positions" {
             quantities.five_positions(answer)?;
         } else {
             for (name, value) in answer.as_object()? {

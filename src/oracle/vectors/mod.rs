@@ -11,6 +11,7 @@ mod draw;
 mod five_of_linkages;
 mod lint;
 mod mechanisms;
+mod mixed;
 mod near_degenerate;
 mod pose;
 mod random;
@@ -54,7 +55,7 @@ pub struct Corpus {
 }
 
 /// All corpora, in the order of their names.
-pub const CORPORA: [Corpus; 16] = [
+pub const CORPORA: [Corpus; 17] = [
     Corpus {
         name: "by-two-points",
         description: "positions given by two points of the body, three to five of them",
@@ -96,6 +97,11 @@ pub const CORPORA: [Corpus; 16] = [
         name: "in-degrees",
         description: "positions whose angles are degrees or radians: known by enclosures only",
         source: Source::Drawn(360, spelled::in_degrees),
+    },
+    Corpus {
+        name: "mixed-positions",
+        description: "five positions of which two to five have come together, given by derivatives",
+        source: Source::Drawn(6, mixed::positions),
     },
     Corpus {
         name: "near-degenerate-five-positions",

@@ -33,7 +33,10 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let [a, b, c] = &rays;
     let invariants = with_burmester_rays([a, b, c], &third, false);
     let motion = invariants.motion();
-    unless_contact(&motion, &rays.each_ref().map(|ray| pair_on_ray(&invariants, ray)))?;
+    unless_contact(
+        &motion,
+        &rays.each_ref().map(|ray| pair_on_ray(&invariants, ray)),
+    )?;
     let mut bindings = Bindings::new(free.precision());
     Constants::of(&motion)?.bind(&mut bindings);
     for (name, angle) in ["alpha_a", "alpha_b", "alpha"].into_iter().zip(angles) {

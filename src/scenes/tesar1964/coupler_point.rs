@@ -45,7 +45,9 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let alpha = free.angle("alpha")?;
     let r = free.number("r")?;
     let point = alpha.cis().scaled(&r);
-    let [x, y, w] = center_of_curvature(&motion.path_of(&point)).coordinates().clone();
+    let [x, y, w] = center_of_curvature(&motion.path_of(&point))
+        .coordinates()
+        .clone();
     let center = Number::complex(x / &w, y / w);
     Unbuilt::unless_true::<K>(
         (center.conj() * &point).im().is_zero(),

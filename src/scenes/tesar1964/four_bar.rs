@@ -130,7 +130,10 @@ fn build_ball<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let ray = &point - &canonical.pole;
     let path = motion.path_of(&point);
     let bends = [2, 3].map(|j| along(&ray, &coefficient(&path, j)).is_zero());
-    Unbuilt::unless_true::<K>(bends[0] & bends[1], "Ball's point has contact of order three")?;
+    Unbuilt::unless_true::<K>(
+        bends[0] & bends[1],
+        "Ball's point has contact of order three",
+    )?;
     let Constants { m, n, .. } = Constants::of(&motion)?;
     let mut bindings = Bindings::new(free.precision());
     bindings.bind("alpha", Angle::of(ray));

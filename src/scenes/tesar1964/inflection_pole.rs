@@ -140,7 +140,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
 fn build_equal_cranks<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let alpha_a = free.angle("alpha_a")?;
     let alpha_b = Angle::from_cos_sin(-alpha_a.cos(), alpha_a.sin());
-    let Design { invariants, a, b, k } = design(&alpha_a, &alpha_b);
+    let Design {
+        invariants,
+        a,
+        b,
+        k,
+    } = design(&alpha_a, &alpha_b);
     let motion = invariants.motion();
     unless_contact(&motion, [&a, &b, &inflection_point(&normal())])?;
     let lengths = [a, b].map(|pair| pair.to_point() - pair.to_center());

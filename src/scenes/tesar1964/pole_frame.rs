@@ -122,7 +122,8 @@ pub(super) fn with_burmester_rays<K: Kind>(
         let motion = invariants.motion();
         pairs(&invariants).map(|pair| pair.excess(&motion))
     };
-    let row = |ray: &Point<K>, excess: &Number<K>| [excess.clone(), ray.re().clone(), ray.im().clone()];
+    let row =
+        |ray: &Point<K>, excess: &Number<K>| [excess.clone(), ray.re().clone(), ray.im().clone()];
     let disagreement = |beta: i64| {
         let [u, v, w] = excesses(&beta.into());
         determinant(&[row(rays[0], &u), row(rays[1], &v), row(rays[2], &w)]) / beta
@@ -145,7 +146,8 @@ pub(super) fn with_burmester_rays<K: Kind>(
 /// The point of a ray with four positions on a circle.
 pub(super) fn pair_on_ray<K: Kind>(invariants: &Invariants<K>, ray: &Point<K>) -> Pair<K> {
     let pair = invariants.pair_on_ray(ray.re(), ray.im());
-    let [[x, y, w], [cx, cy, cw]] = [pair.point, pair.center].map(|point| point.coordinates().clone());
+    let [[x, y, w], [cx, cy, cw]] =
+        [pair.point, pair.center].map(|point| point.coordinates().clone());
     Pair {
         ray: ray.clone(),
         point: Number::complex(x / &w, y / w),
@@ -164,7 +166,10 @@ pub(super) fn inflection_point<K: Kind>(ray: &Point<K>) -> Pair<K> {
 
 /// The tangent of the fourth ray, from those of three: the sum of all four is that of the roots. The
 /// pole normal is none of them.
-pub(super) fn fourth_tangent<K: Kind>(invariants: &Invariants<K>, rays: [&Point<K>; 3]) -> Number<K> {
+pub(super) fn fourth_tangent<K: Kind>(
+    invariants: &Invariants<K>,
+    rays: [&Point<K>; 3],
+) -> Number<K> {
     let [_, _, _, third, fourth] = invariants.burmester_rays();
     let known: Number<K> = rays.into_iter().map(|ray| ray.im() / ray.re()).sum();
     -third / fourth - known
