@@ -17,7 +17,7 @@ use super::rest::Rest;
 use super::shown::decided;
 use super::way::Way;
 use super::{Defect, require};
-use crate::number::{Ball, Exact, Number};
+use crate::number::{Ball, Exact, Number, Truth};
 use crate::plane::{Point, relation};
 
 /// A joint, finite or in a direction.
@@ -88,7 +88,7 @@ const LINKS: [Link; 4] = [Link::First, Link::Second, Link::Coupler, Link::Base];
 /// Checks what is said of the linkage of two pairs.
 pub fn check(dyads: [&Dyad; 2], shown: &Value, sheet: &Sheet<'_>) -> Result<(), Defect> {
     let [first, second] = dyads;
-    let both = [[first, second], [second, first]].map(|dyads| FourBar::of(dyads));
+    let both = [[first, second], [second, first]].map(FourBar::of);
     let [Some(four_bar), Some(exchanged)] = both else {
         return Err(Defect::unchecked("a linkage that is none, or nearly so"));
     };
@@ -102,17 +102,19 @@ pub fn check(dyads: [&Dyad; 2], shown: &Value, sheet: &Sheet<'_>) -> Result<(), 
         })
     };
     is("type", &shown["type"], Some(json!(four_bar.word())))?;
-    let circuit = four_bar.circuit().map(Value::from);
-    is("circuit", &shown["circuit"], circuit)?;
+    is("circuit", &shown["circuit"], known(four_bar.circuit()))?;
     for (name, driven) in [("first", &four_bar), ("second", &exchanged)] {
         let way = driven.way(sheet.bits);
         let crank = way.as_ref().map(|way| json!(driven.is_crank(way)));
         is("crank", &shown["crank"][name], crank)?;
-        let reached = way.as_ref().and_then(|way| driven.branch(way));
-        is("branch", &shown["branch"][name], reached.map(Value::from))?;
+        let reached = way.as_ref();
+        let reached = reached.map_or(Truth::Unknown, |way| driven.branch(way));
+        is("branch", &shown["branch"][name], known(reached))?;
         let (order, range) = (&shown["order"][name], &shown["transmission"][name]);
-        if let (Some(way), Some(reached)) = (way, reached) {
-            way.is_shown(reached, order, range, sheet)?;
+        if let Some(way) = way
+            && !reached.is_unknown()
+        {
+            way.is_shown(reached.is_yes(), order, range, sheet)?;
         }
     }
     rest.finish()
@@ -163,8 +165,8 @@ impl<'a> FourBar<'a> {
         }
     }
 
-    /// The side to which the chain turns at a joint in each position.
-    fn turns(&self, at: [Corner; 3]) -> Option<Vec<Ordering>> {
+    /// Whether the chain turns to one side at a joint in all positions.
+    fn turns_alike(&self, at: [Corner; 3]) -> Truth {
         let [first, second] = self.dyads;
         let positions = first.places.iter().zip(&second.places);
         let sides = positions.map(|(a, b)| {
@@ -174,34 +176,33 @@ impl<'a> FourBar<'a> {
                 Corner::SecondPin => b,
                 Corner::SecondPivot => &second.center,
             });
-            let side = determinant(corners.map(Joint::homogeneous)).sign();
-            side.filter(|side| side.is_ne())
+            determinant(corners.map(Joint::homogeneous)).sign()
         });
-        sides.collect()
+        alike(sides)
     }
 
     /// Whether all positions are on one circuit.
-    fn circuit(&self) -> Option<bool> {
+    fn circuit(&self) -> Truth {
         use Corner::{FirstPin, FirstPivot, SecondPin, SecondPivot};
         let corners = match self.kind {
             Kind::Grashof(Link::First) => [FirstPin, SecondPin, SecondPivot],
             Kind::Grashof(Link::Second | Link::Base) => [FirstPivot, FirstPin, SecondPin],
             Kind::Grashof(Link::Coupler) => [SecondPivot, FirstPivot, FirstPin],
-            Kind::ChangePoint | Kind::NoFullTurn => return Some(true),
+            Kind::ChangePoint | Kind::NoFullTurn => return Truth::Yes,
         };
-        self.turns(corners).as_deref().map(all_alike)
+        self.turns_alike(corners)
     }
 
     /// Whether the first pair drives through all positions without a dead centre. In a change point
     /// both links may be on the base, where they come to a dead centre too.
-    fn branch(&self, way: &Way) -> Option<bool> {
+    fn branch(&self, way: &Way) -> Truth {
         use Corner::{FirstPin, SecondPin, SecondPivot};
-        let assembly = all_alike(&self.turns([FirstPin, SecondPin, SecondPivot])?);
         let connected = match self.kind {
-            Kind::ChangePoint => way.passes_a_gate() || way.is_on_one_side()?,
-            _ => self.circuit()?,
+            Kind::ChangePoint if way.passes_a_gate() => Truth::Yes,
+            Kind::ChangePoint => way.is_on_one_side(),
+            _ => self.circuit(),
         };
-        Some(assembly && connected)
+        connected & self.turns_alike([FirstPin, SecondPin, SecondPivot])
     }
 
     fn way(&self, bits: u32) -> Option<Way> {
@@ -291,6 +292,22 @@ fn can_be_on_a_line([first, second]: [&Dyad; 2]) -> bool {
     left.is_zero().is_yes()
 }
 
-pub fn all_alike(signs: &[Ordering]) -> bool {
-    signs.windows(2).all(|two| two[0] == two[1])
+/// What is known, as it is shown.
+fn known(truth: Truth) -> Option<Value> {
+    (!truth.is_unknown()).then(|| json!(truth.is_yes()))
+}
+
+/// Whether all signs are the same, and none zero.
+pub fn alike(signs: impl IntoIterator<Item = Option<Ordering>>) -> Truth {
+    let signs: Vec<Option<Ordering>> = signs.into_iter().collect();
+    let has = |sign| signs.contains(&Some(sign));
+    if has(Ordering::Less) && has(Ordering::Greater) {
+        return Truth::No;
+    }
+    let are_known = signs.iter().all(|sign| sign.is_some_and(Ordering::is_ne));
+    if are_known {
+        Truth::Yes
+    } else {
+        Truth::Unknown
+    }
 }

@@ -14,6 +14,9 @@ use crate::oracle::positions::Given;
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 
+/// [x : y : w].
+type Homogeneous<K> = [Number<K>; 3];
+
 /// Checks everything.
 pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
     let sheet = Sheet::of(answer)?;
@@ -39,7 +42,7 @@ pub fn poles<K: Known>(
         require(listed == Some(count), name, "one for every two positions")?;
     }
     for (i, j) in positions.pairs() {
-        let Some((image, pole)) = both(given, positions, i, j) else {
+        let Some([image, pole]) = both(given, positions, i, j) else {
             continue;
         };
         for (name, truth) in [("poles", pole), ("image_poles", image)] {
@@ -56,7 +59,7 @@ fn both<K: Known>(
     positions: &Positions<K>,
     i: usize,
     j: usize,
-) -> Option<([Number<K>; 3], [Number<K>; 3])> {
+) -> Option<[Homogeneous<K>; 2]> {
     let list = positions.displacements();
     Some(pole(list.get(i)?, list.get(j)?, given.turn_alike(i, j)))
 }
@@ -67,8 +70,8 @@ pub fn pole_of<K: Known>(
     positions: &Positions<K>,
     i: usize,
     j: usize,
-) -> Option<[Number<K>; 3]> {
-    both(given, positions, i, j).map(|(_, pole)| pole)
+) -> Option<Homogeneous<K>> {
+    both(given, positions, i, j).map(|[_, pole]| pole)
 }
 
 fn label(i: usize, j: usize) -> String {
@@ -81,7 +84,7 @@ fn pole<K: Known>(
     a: &Displacement<K>,
     b: &Displacement<K>,
     is_translation: bool,
-) -> ([Number<K>; 3], [Number<K>; 3]) {
+) -> [Homogeneous<K>; 2] {
     let shift = &b.translation - &a.translation;
     let turn = &a.rotation - &b.rotation;
     let homogeneous = |z: Point<K>, w: &Number<K>| [z.re().clone(), z.im().clone(), w.clone()];
@@ -89,12 +92,12 @@ fn pole<K: Known>(
         let across = Number::i() * shift;
         let seen = &across * a.rotation.conj();
         let zero = Number::zero();
-        return (homogeneous(seen, &zero), homogeneous(across, &zero));
+        return [homogeneous(seen, &zero), homogeneous(across, &zero)];
     }
     let w = turn.norm();
     let z = shift * turn.conj();
     let place = &a.rotation * &z + a.translation.scaled(&w);
-    (homogeneous(z, &w), homogeneous(place, &w))
+    [homogeneous(z, &w), homogeneous(place, &w)]
 }
 
 /// The directed angles between the positions.

@@ -9,10 +9,10 @@ use std::cmp::Ordering;
 use serde_json::{Value, json};
 
 use super::geometry::Sheet;
-use super::linkages::{Dyad, Joint, all_alike};
+use super::linkages::{Dyad, Joint, alike};
 use super::shown::{self, decided};
 use super::{Defect, require};
-use crate::number::{Ball, Number};
+use crate::number::{Ball, Number, Truth};
 use crate::plane::{Point, relation};
 
 /// A driving link.
@@ -100,20 +100,16 @@ impl Way {
     }
 
     /// Whether all positions are on one side of the gates.
-    pub fn is_on_one_side(&self) -> Option<bool> {
-        let side = |number: Number<Ball>| number.sign().filter(|sign| sign.is_ne());
-        let sides: Option<Vec<Ordering>> = match &self.motion {
+    pub fn is_on_one_side(&self) -> Truth {
+        match &self.motion {
             Motion::Turn {
                 directions, axis, ..
             } => {
-                let across = |one: &Point<Ball>| (axis.conj() * one).im().clone();
-                directions.iter().map(|one| side(across(one))).collect()
+                let across = |one: &Point<Ball>| (axis.conj() * one).im().sign();
+                alike(directions.iter().map(across))
             }
-            Motion::Slide { places, gate, .. } => {
-                places.iter().map(|place| side(place - gate)).collect()
-            }
-        };
-        sides.as_deref().map(all_alike)
+            Motion::Slide { places, gate, .. } => are_beside(places, gate),
+        }
     }
 
     /// Whether order and transmission angle are these, of a link that reaches all positions or not.
@@ -149,8 +145,10 @@ impl Way {
                 cosine,
             } => {
                 let mut cosines = self.cosines.clone();
-                if are_apart(places, gate)? {
-                    cosines.push(cosine.clone());
+                match are_beside(places, gate) {
+                    Truth::No => cosines.push(cosine.clone()),
+                    Truth::Yes => {}
+                    Truth::Unknown => return None,
                 }
                 Some((sorted(places)?, cosines))
             }
@@ -162,8 +160,10 @@ impl Way {
                 let cut = usize::from(is_free(first));
                 let angles = self.angles(Some(cut))?;
                 let mut cosines = self.cosines.clone();
-                if are_apart(&angles, &Number::pi(&self.bits))? {
-                    cosines.push(if cut == 0 { second } else { first }.clone());
+                match are_beside(&angles, &Number::pi(&self.bits)) {
+                    Truth::No => cosines.push(if cut == 0 { second } else { first }.clone()),
+                    Truth::Yes => {}
+                    Truth::Unknown => return None,
                 }
                 Some((sorted(&angles)?, cosines))
             }
@@ -294,10 +294,9 @@ fn is_free(cosine: &Number<Ball>) -> bool {
     (1 - cosine.square()).is_positive().is_yes()
 }
 
-/// Whether some are before and some after a place.
-fn are_apart(places: &[Number<Ball>], gate: &Number<Ball>) -> Option<bool> {
-    let sides: Option<Vec<Ordering>> = places.iter().map(|place| place.compare(gate)).collect();
-    sides.map(|sides| !all_alike(&sides))
+/// Whether all are before a place, or all after it.
+fn are_beside(places: &[Number<Ball>], gate: &Number<Ball>) -> Truth {
+    alike(places.iter().map(|place| place.compare(gate)))
 }
 
 /// The numbers of the positions in ascending order, counted from 1.
