@@ -15,6 +15,7 @@ use std::path::Path;
 
 use burmester::oracle::certificate::{Defect, check_answer};
 use burmester::oracle::vectors::{CORPORA, Corpus, Entry, Folder};
+use burmester::oracle::{Request, solve};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
@@ -71,6 +72,26 @@ fn true_answers_are_accepted() {
         let all = entries(Corpus::named(name).unwrap()).len().div_ceil(step());
         assert!(3 * count >= 2 * all, "{name}: {count} of {all} accepted");
     }
+}
+
+#[test]
+fn true_answers_of_other_digits_are_accepted() {
+    let mut wrong = Vec::new();
+    for corpus in &CORPORA {
+        for Entry { problem, .. } in entries(corpus).iter().step_by(4 * step()) {
+            for digits in [7, 90] {
+                let request = Request {
+                    digits,
+                    ..Request::default()
+                };
+                let answer = solve(problem, &request).unwrap();
+                if let Err(defect @ Defect::Wrong { .. }) = check_answer(problem, &answer) {
+                    wrong.push(format!("{} {digits}: {defect}", problem["id"]));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("; "));
 }
 
 /// A number of a pair, by a random choice.
@@ -341,6 +362,13 @@ fn what_cannot_be_checked_is_said() {
     let is_undecided = |entry: &&Entry| entry.answer["answer"].get("undecided").is_some();
     let entry = all.iter().find(is_undecided).unwrap();
     let verdict = check_answer(&entry.problem, &entry.answer["answer"]);
+    assert!(
+        matches!(verdict, Err(Defect::Unchecked { .. })),
+        "{verdict:?}"
+    );
+    let mut wished = entries(Corpus::named("random-five-positions").unwrap())[0].clone();
+    wished.problem["wishes"] = json!({});
+    let verdict = check_answer(&wished.problem, &wished.answer["answer"]);
     assert!(
         matches!(verdict, Err(Defect::Unchecked { .. })),
         "{verdict:?}"
