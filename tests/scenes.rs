@@ -978,8 +978,8 @@ mod slider_crank {
         }
     }
 
-    /// One of the four points is then the pole itself, in whose path the circle is a limit: the pole
-    /// is a cusp of its path, a(θ) = iθ²/2 + …, and |a|² = θ⁴/4 + ….
+    /// One of the four points is then the pole itself: its path has a cusp, a(θ) = iθ²/2 + …, and keeps to a
+    /// circle about a point of the pole tangent to terms in θ⁴.
     #[test]
     fn the_crank_pin_on_the_pole_normal() {
         for k in [2, 3, -1, -3, -4] {
@@ -993,7 +993,15 @@ mod slider_crank {
                     .filter(|pair| pair.point.numerator.is_zero().is_yes());
                 let poles: Vec<_> = poles.collect();
                 assert_eq!(poles.len(), 1, "{what}: one point is the pole");
-                assert_eq!(deviations(poles[0], &motion), [4], "{what}: the pole");
+                let none: [usize; 0] = [];
+                assert_eq!(deviations(poles[0], &motion), none, "{what}: the pole");
+                let mut elsewhere = poles[0].clone();
+                elsewhere.center.numerator = elsewhere.center.numerator * 2;
+                assert_eq!(
+                    deviations(&elsewhere, &motion),
+                    [4],
+                    "{what}: another center"
+                );
             }
         }
     }

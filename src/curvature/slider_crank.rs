@@ -154,7 +154,7 @@ impl<K: Real> SliderCrank<K> {
             return self.with_slider_pin_at_inflection_pole(&symbols);
         }
         if symbols.ca.is_zero().is_yes() {
-            return self.with_crank_pin_on_pole_normal();
+            return self.with_crank_pin_on_pole_normal(&symbols);
         }
         let Symbols {
             ca,
@@ -218,15 +218,16 @@ impl<K: Real> SliderCrank<K> {
     }
 
     /// α_a = 90°: the cubic is the inflection circle and the pole normal, on which the condition in
-    /// θ⁴ leaves, beside σ = 1/k of A, σ = 1 − 1/k. The fourth point has gone into the pole, along its
-    /// tangent: the limit for α_a → 90°, and no Burmester point itself, since the path of the pole has
-    /// a cusp.
-    fn with_crank_pin_on_pole_normal(&self) -> Alternates<K> {
+    /// θ⁴ leaves, beside σ = 1/k of A, σ = 1 − 1/k. The fourth point is the pole. Its path has a cusp, and
+    /// a = iθ²/2 + (a₄ + ib₄)θ⁴/24 keeps to the circle about 3/a₄ on the pole tangent to terms in θ⁴; with
+    /// b₄ + 1 = 3(1 − k)/k² from A and a₄ = −(b₄ + 1) tan α_d from D that center is k²/((k − 1) tan α_d). It is the
+    /// limit for α_a → 90° as well.
+    fn with_crank_pin_on_pole_normal(&self, symbols: &Symbols<K>) -> Alternates<K> {
         let k = &self.k;
         let at_pole = Pair {
             ray: Angle::from_cos_sin(Number::one(), Number::zero()),
             point: Quotient::zero(),
-            center: Quotient::zero(),
+            center: Quotient::new(k.square() * &symbols.cd, (k - 1) * &symbols.sd),
         };
         let on_normal = Pair {
             ray: Angle::from_cos_sin(Number::zero(), Number::one()),

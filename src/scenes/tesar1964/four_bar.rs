@@ -1,10 +1,9 @@
 //! Chapter II: a four-bar in any position, seen from its pole.
 
-use super::pole_frame::{Constants, Pair, along};
-use crate::curvature::canonical::Canonical;
+use super::pole_frame::{Constants, Pair, unless_true};
 use crate::curvature::closure;
 use crate::curvature::motion::{Motion, coefficient, turning};
-use crate::curvature::osculation::{center_of_curvature, stationary_cubic};
+use crate::curvature::osculation::{center_of_curvature, inflection_circle, stationary_cubic};
 use crate::formula::Bindings;
 use crate::number::{Number, Real};
 use crate::plane::Angle;
@@ -40,7 +39,9 @@ pub const SCENE: Scene = scene!(
 
 pub const BALL: Scene = scene!(
     "tesar1964/ball-point",
-    "Any four-bar in any position, and its coupler's point with contact of order three with its tangent.",
+    "Any four-bar in any position, and Ball's point of its coupler: beside the pole the only point whose path \
+     has an inflection and four infinitesimally separated positions on a circle, both from the series of \
+     the motion.",
     build_ball,
     [
         "alpha": "ray of Ball's point, modulo 180 deg",
@@ -123,16 +124,20 @@ fn build_ball<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let FourBar {
         diameter, motion, ..
     } = four_bar(free)?;
-    let canonical = Canonical::of(&motion)
-        .ok_or_else(|| Unbuilt::NotHeld("the invariants of a translation".to_owned()))?;
-    let [x, y, w] = canonical.invariants.ball_point().coordinates().clone();
-    let point = canonical.place(&Number::complex(x / &w, y / w));
-    let ray = &point - &canonical.pole;
-    let path = motion.path_of(&point);
-    let bends = [2, 3].map(|j| along(&ray, &coefficient(&path, j)).is_zero());
-    Unbuilt::unless_true::<K>(
-        bends[0] & bends[1],
-        "Ball's point has contact of order three",
+    let cubic = stationary_cubic(&motion)
+        .ok_or_else(|| Unbuilt::NotHeld("the cubic of stationary curvature".to_owned()))?;
+    let circle = inflection_circle(&motion);
+    // On the circle x² + y² = −cy/a; then y can be divided out of the cubic.
+    let [x3, _, _, y3, _, xy, ..] = cubic.coefficients();
+    let ray = Number::complex(&circle.c * y3, xy * &circle.a - &circle.c * x3);
+    let common_point = || {
+        let r = -(&circle.b * ray.re() + &circle.c * ray.im()) / (&circle.a * ray.norm());
+        let point = ray.scaled(&r);
+        circle.at(&point).is_zero() & cubic.at(&point).is_zero()
+    };
+    unless_true::<K>(
+        common_point,
+        "Ball's point is on the circle and on the cubic",
     )?;
     let Constants { m, n, .. } = Constants::of(&motion)?;
     let mut bindings = Bindings::new(free.precision());

@@ -8,11 +8,13 @@
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
 
+pub(super) mod alternates;
 pub(super) mod ball_burmester;
 pub(super) mod burmester_pair;
 pub(super) mod burmester_points;
 pub(super) mod circlepoint;
 pub(super) mod conics;
+pub(super) mod contact_properties;
 pub(super) mod coupler_point;
 pub(super) mod five_positions;
 pub(super) mod five_positions_on_a_line;
