@@ -32,6 +32,12 @@ pub trait Free<K: Real> {
     /// Any angle; its direction is a unit vector.
     fn angle(&mut self, name: &str) -> Result<Angle<K>, Unbuilt>;
 
+    /// Any angle. Where it stays free it is held by its tangent, so that what is rational in the tangent
+    /// stays small; its direction then is no unit vector.
+    fn slope(&mut self, name: &str) -> Result<Angle<K>, Unbuilt> {
+        self.angle(name)
+    }
+
     /// An angle that only chooses a position of the mechanism: in an example, in which nothing that
     /// is printed depends on it, any will do.
     fn position(&mut self, name: &str) -> Result<Angle<K>, Unbuilt> {
@@ -138,6 +144,15 @@ impl Free<Fraction> for Symbols {
         let sin = self.extend(name, ring)?;
         let cos = Number::variable(&self.ring, self.ring.len() - 2);
         Ok(Angle::from_cos_sin(cos, sin))
+    }
+
+    fn slope(&mut self, name: &str) -> Result<Angle<Fraction>, Unbuilt> {
+        let tan = self.number(&format!("tan {name}"))?;
+        let length = self.root(&format!("1/cos {name}"), &(1 + tan.square()))?;
+        Ok(Angle::of_known_length(
+            Number::complex(Number::one(), tan),
+            length,
+        ))
     }
 
     fn root(

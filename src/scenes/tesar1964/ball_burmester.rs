@@ -1,7 +1,7 @@
 //! Chapter II: a Burmester point on the inflection circle, and the three others.
 
 use super::pole_frame::{
-    Constants, Pair, fourth_tangent, inflection_point, pair_on_ray, ray_of_tangent, unless_contact,
+    Constants, angle_of_tangent, fourth_tangent, inflection_point, pair_on_ray, unless_contact,
     unless_true, with_burmester_rays,
 };
 use crate::curvature::canonical::Invariants;
@@ -75,85 +75,73 @@ pub(super) fn motion_with<K: Kind>(a: &Point<K>, b: &Point<K>, d: &Point<K>) -> 
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let angles = [
-        free.angle("alpha_a")?,
-        free.angle("alpha_b")?,
-        free.angle("alpha_d")?,
+        free.slope("alpha_a")?,
+        free.slope("alpha_b")?,
+        free.slope("alpha_d")?,
     ];
-    let rays = angles.each_ref().map(|angle| angle.cis());
-    let [a, b, d] = &rays;
+    let [a, b, d] = angles.each_ref().map(Angle::direction);
     let invariants = motion_with(a, b, d);
     let tangent = fourth_tangent(&invariants, [a, b, d]);
-    let (alpha_c, c) = ray_of_tangent(free, "1/cos alpha_c", &tangent)?;
+    let alpha_c = angle_of_tangent(free, "1/cos alpha_c", &tangent)?;
+    let [alpha_a, alpha_b, alpha_d] = &angles;
     let motion = invariants.motion();
     let pairs = [
-        ("a", pair_on_ray(&invariants, a)),
-        ("b", pair_on_ray(&invariants, b)),
-        ("c", pair_on_ray(&invariants, &c)),
-        ("d", inflection_point(d)),
+        ("a", alpha_a, pair_on_ray(&invariants, a)),
+        ("b", alpha_b, pair_on_ray(&invariants, b)),
+        ("c", &alpha_c, pair_on_ray(&invariants, alpha_c.direction())),
+        ("d", alpha_d, inflection_point(d)),
     ];
-    unless_contact(&motion, pairs.iter().map(|(_, pair)| pair))?;
+    unless_contact(&motion, pairs.iter().map(|(_, _, pair)| pair))?;
     let mut bindings = Bindings::new(free.precision());
-    for (name, pair) in &pairs {
+    for (name, angle, pair) in &pairs {
         let upper = name.to_uppercase();
-        bindings.bind(&format!("P{upper}"), pair.to_point());
+        bindings.bind(&format!("alpha_{name}"), (*angle).clone());
+        bindings.bind(&format!("P{upper}"), pair.to_point(angle));
         bindings.bind(&upper, pair.point.clone());
         if pair.center.is_some() {
-            bindings.bind(&format!("PO_{name}"), pair.to_center());
+            bindings.bind(&format!("PO_{name}"), pair.to_center(angle));
         }
     }
-    let [alpha_a, alpha_b, alpha_d] = angles;
-    bindings.bind("r_c", pairs[2].1.to_point());
-    bindings.bind("k", pairs[0].1.to_center() / alpha_a.sin());
+    let [(_, _, first), _, (_, _, third), _] = &pairs;
+    bindings.bind("r_c", third.to_point(&alpha_c));
+    bindings.bind("k", first.to_center(alpha_a) / alpha_a.sin());
     bindings.bind("K_b", alpha_b.tan() - alpha_d.tan());
     bindings.bind("K_c", &tangent - alpha_d.tan());
-    bind_sum_and_product(&mut bindings, &alpha_a, &alpha_b);
+    bind_sum_and_product(&mut bindings, alpha_a, alpha_b);
     Constants::of(&motion)?.bind(&mut bindings);
-    bindings.bind("alpha_a", alpha_a);
-    bindings.bind("alpha_b", alpha_b);
-    bindings.bind("alpha_c", alpha_c);
-    bindings.bind("alpha_d", alpha_d);
     Ok(bindings)
 }
 
 fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
-    let (alpha_a, alpha_b) = (free.angle("alpha_a")?, free.angle("alpha_b")?);
-    let (a, b) = (alpha_a.cis(), alpha_b.cis());
+    let (alpha_a, alpha_b) = (free.slope("alpha_a")?, free.slope("alpha_b")?);
+    let (a, b) = (alpha_a.direction(), alpha_b.direction());
     let direction = |tan: &Number<K>| Number::complex(Number::one(), tan.clone());
-    let fourth = |tan: i64| {
-        let d = direction(&tan.into());
-        fourth_tangent(&motion_with(&a, &b, &d), [&a, &b, &d])
+    let fourth = |tan: &Number<K>| {
+        let d = direction(tan);
+        fourth_tangent(&motion_with(a, b, &d), [a, b, &d])
     };
-    let (zero, one) = (fourth(0), fourth(1));
+    let (zero, one) = (fourth(&Number::zero()), fourth(&Number::one()));
     // zero + (one − zero) t = t
     let tangent = &zero / (1 + &zero - one);
+    unless_true::<K>(|| fourth(&tangent).equals(&tangent), "C and D coincide")?;
     let d = direction(&tangent);
-    let invariants = motion_with(&a, &b, &d);
-    let again = || fourth_tangent(&invariants, [&a, &b, &d]).equals(&tangent);
-    unless_true::<K>(again, "C and D coincide")?;
-    let pairs = [
-        ("a", pair_on_ray(&invariants, &a)),
-        ("b", pair_on_ray(&invariants, &b)),
-    ];
-    let on_circle = inflection_point(&d);
-    let all = pairs.iter().map(|(_, pair)| pair).chain([&on_circle]);
-    unless_contact(&invariants.motion(), all)?;
+    let invariants = motion_with(a, b, &d);
+    let [first, second] = [a, b].map(|ray| pair_on_ray(&invariants, ray));
+    let contact = [&first, &second, &inflection_point(&d)];
+    unless_contact(&invariants.motion(), contact)?;
     let mut bindings = Bindings::new(free.precision());
-    for (name, pair) in &pairs {
-        bind_crank(&mut bindings, name, pair);
+    for (name, angle, pair) in [("a", &alpha_a, first), ("b", &alpha_b, second)] {
+        let upper = name.to_uppercase();
+        let (point, center) = (pair.to_point(angle), pair.to_center(angle));
+        bindings.bind(&format!("O_{name}{upper}"), &point - &center);
+        bindings.bind(&format!("P{upper}"), point);
+        bindings.bind(&format!("PO_{name}"), center);
     }
     bind_sum_and_product(&mut bindings, &alpha_a, &alpha_b);
+    bindings.bind("alpha_d", Angle::from_tan(tangent));
     bindings.bind("alpha_a", alpha_a);
     bindings.bind("alpha_b", alpha_b);
-    bindings.bind("alpha_d", Angle::from_tan(tangent));
     Ok(bindings)
-}
-
-fn bind_crank<K: Real>(bindings: &mut Bindings<K>, name: &str, pair: &Pair<K>) {
-    let upper = name.to_uppercase();
-    let (point, center) = (pair.to_point(), pair.to_center());
-    bindings.bind(&format!("O_{name}{upper}"), &point - &center);
-    bindings.bind(&format!("P{upper}"), point);
-    bindings.bind(&format!("PO_{name}"), center);
 }
 
 fn bind_sum_and_product<K: Real>(bindings: &mut Bindings<K>, a: &Angle<K>, b: &Angle<K>) {

@@ -24,12 +24,12 @@ pub const SCENE: Scene = scene!(
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let angles = [
-        free.angle("alpha_a")?,
-        free.angle("alpha_b")?,
-        free.angle("alpha")?,
+        free.slope("alpha_a")?,
+        free.slope("alpha_b")?,
+        free.slope("alpha")?,
     ];
     let third = Number::complex(free.number("a_3/b_3")?, Number::one());
-    let rays = angles.each_ref().map(|angle| angle.cis());
+    let rays = angles.each_ref().map(|angle| angle.direction().clone());
     let [a, b, c] = &rays;
     let invariants = with_burmester_rays([a, b, c], &third, false);
     let motion = invariants.motion();

@@ -104,14 +104,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let mut bindings = Bindings::new(free.precision());
     for (name, pair, angle) in [("a", &cranks[0], &angles[0]), ("b", &cranks[1], &angles[1])] {
         let upper = name.to_uppercase();
+        let (point, center) = (pair.to_point(angle), pair.to_center(angle));
         bindings.bind(&format!("alpha_{name}"), angle.clone());
-        bindings.bind(&format!("r_{name}"), pair.to_point());
-        bindings.bind(&format!("P{upper}"), pair.to_point());
-        bindings.bind(&format!("PO_{name}"), pair.to_center());
-        bindings.bind(
-            &format!("O_{name}{upper}"),
-            pair.to_point() - pair.to_center(),
-        );
+        bindings.bind(&format!("r_{name}"), point.clone());
+        bindings.bind(&format!("P{upper}"), point.clone());
+        bindings.bind(&format!("PO_{name}"), center.clone());
+        bindings.bind(&format!("O_{name}{upper}"), point - center);
     }
     bindings.bind("D", diameter);
     bindings.bind("alpha", alpha);

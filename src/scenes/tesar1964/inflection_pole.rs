@@ -93,11 +93,11 @@ struct Design<K> {
 }
 
 fn design<K: Real>(alpha_a: &Angle<K>, alpha_b: &Angle<K>) -> Design<K> {
-    let rays = [alpha_a, alpha_b].map(Angle::cis);
-    let invariants = motion_with(&rays[0], &rays[1], &normal());
-    let [a, b] = rays.each_ref().map(|ray| pair_on_ray(&invariants, ray));
+    let rays = [alpha_a, alpha_b].map(Angle::direction);
+    let invariants = motion_with(rays[0], rays[1], &normal());
+    let [a, b] = rays.map(|ray| pair_on_ray(&invariants, ray));
     Design {
-        k: a.to_center() / alpha_a.sin(),
+        k: a.to_center(alpha_a) / alpha_a.sin(),
         invariants,
         a,
         b,
@@ -119,21 +119,26 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let circle = inflection_circle(&motion);
     let on_ray_of_c = -(&circle.b * c.ray.re() + &circle.c * c.ray.im()) / &circle.a;
     let mut bindings = Bindings::new(free.precision());
-    for (name, pair) in [("a", &a), ("b", &b), ("c", &c)] {
-        bindings.bind(&format!("P{}", name.to_uppercase()), pair.to_point());
-        bindings.bind(&format!("PO_{name}"), pair.to_center());
-    }
-    for (name, pair) in [("a", &a), ("b", &b)] {
-        bindings.bind(&name.to_uppercase(), pair.point.clone());
-        bindings.bind(&format!("O_{name}"), pair.ray.scaled(&pair.to_center()));
+    let alpha_c = Angle::from_cos_sin(c.ray.re().clone(), c.ray.im().clone());
+    for (name, angle, pair) in [
+        ("a", &alpha_a, &a),
+        ("b", &alpha_b, &b),
+        ("c", &alpha_c, &c),
+    ] {
+        let upper = name.to_uppercase();
+        let center = pair.to_center(angle);
+        bindings.bind(&format!("alpha_{name}"), angle.clone());
+        bindings.bind(&format!("P{upper}"), pair.to_point(angle));
+        if name != "c" {
+            bindings.bind(&upper, pair.point.clone());
+            bindings.bind(&format!("O_{name}"), angle.cis().scaled(&center));
+        }
+        bindings.bind(&format!("PO_{name}"), center);
     }
     bindings.bind("PJ_c", on_ray_of_c);
     bindings.bind("P", Point::<K>::zero());
     bindings.bind("k", k);
     bindings.bind("W", alpha_a.tan() * alpha_b.tan());
-    bindings.bind("alpha_c", Angle::of(c.point));
-    bindings.bind("alpha_a", alpha_a);
-    bindings.bind("alpha_b", alpha_b);
     Ok(bindings)
 }
 
@@ -148,8 +153,11 @@ fn build_equal_cranks<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Un
     } = design(&alpha_a, &alpha_b);
     let motion = invariants.motion();
     unless_contact(&motion, [&a, &b, &inflection_point(&normal())])?;
-    let lengths = [a, b].map(|pair| pair.to_point() - pair.to_center());
-    Unbuilt::unless_true::<K>(lengths[0].equals(&lengths[1]), "the cranks are equal")?;
+    let squares = [a, b].map(|pair| pair.center.map(|center| (pair.point - center).norm()));
+    let [Some(first), Some(second)] = squares else {
+        return Err(Unbuilt::NotReal("a center is at infinity".to_owned()));
+    };
+    Unbuilt::unless_true::<K>(first.equals(&second), "the cranks are equal")?;
     let mut bindings = Bindings::new(free.precision());
     bindings.bind("k", k);
     bindings.bind("alpha_a", alpha_a);
@@ -181,9 +189,10 @@ fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt>
     let b = pair_on_ray(&invariants, &Number::complex(Number::one(), tan_b.clone()));
     unless_contact(&invariants.motion(), [&a, &b, &c])?;
     let mut bindings = Bindings::new(free.precision());
-    bindings.bind("k", a.to_center() / alpha_a.sin());
-    bindings.bind("PC", c.to_point());
-    bindings.bind("PJ", inflection_point::<K>(&normal()).to_point());
+    bindings.bind("k", a.to_center(&alpha_a) / alpha_a.sin());
+    let upwards = Angle::of_known_length(normal(), Number::one());
+    bindings.bind("PC", c.to_point(&upwards));
+    bindings.bind("PJ", inflection_point::<K>(&normal()).to_point(&upwards));
     bindings.bind("alpha_a", alpha_a);
     bindings.bind("alpha_b", Angle::from_tan(tan_b));
     Ok(bindings)

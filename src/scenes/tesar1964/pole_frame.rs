@@ -8,12 +8,12 @@ use crate::formula::Bindings;
 use crate::number::linear::determinant;
 use crate::number::{Kind, Number, Real, Truth};
 use crate::plane::{Angle, Point};
-use crate::scenes::Unbuilt;
+use crate::scenes::{Free, Unbuilt};
 
 /// A point on a ray through the pole, and the center of its path.
 #[derive(Clone)]
 pub(super) struct Pair<K> {
-    /// The direction of the ray; distances along it are meant for a unit vector.
+    /// A direction of the ray, of any length.
     pub ray: Point<K>,
     pub point: Point<K>,
     /// `None` where it is at infinity.
@@ -21,19 +21,6 @@ pub(super) struct Pair<K> {
 }
 
 impl<K: Kind> Pair<K> {
-    /// From the pole to the point, along the ray.
-    pub fn to_point(&self) -> Number<K> {
-        along(&self.ray, &self.point)
-    }
-
-    /// From the pole to the center; no value where that is at infinity.
-    pub fn to_center(&self) -> Number<K> {
-        match &self.center {
-            Some(center) => along(&self.ray, center),
-            None => Number::one() / Number::zero(),
-        }
-    }
-
     /// What the joint in the point keeps.
     pub fn guide(&self) -> Guide<K> {
         let (point, normal) = (self.point.clone(), self.ray.clone());
@@ -47,13 +34,31 @@ impl<K: Kind> Pair<K> {
     fn excess(&self, motion: &Motion<K>) -> Number<K> {
         let term = self.guide().along(motion).coefficient(4);
         match &self.center {
-            Some(_) => term / (2 * (self.to_point() - self.to_center())),
+            Some(center) => {
+                let link = along(&self.ray, &(&self.point - center)) / self.ray.norm();
+                term / (2 * link)
+            }
             None => term,
         }
     }
 }
 
-/// The real part of a point's quotient by a unit vector.
+impl<K: Real> Pair<K> {
+    /// From the pole to the point, along the ray of this angle.
+    pub fn to_point(&self, angle: &Angle<K>) -> Number<K> {
+        along(&angle.cis(), &self.point)
+    }
+
+    /// From the pole to the center; no value where that is at infinity.
+    pub fn to_center(&self, angle: &Angle<K>) -> Number<K> {
+        match &self.center {
+            Some(center) => along(&angle.cis(), center),
+            None => Number::one() / Number::zero(),
+        }
+    }
+}
+
+/// The scalar product of two directions.
 pub(super) fn along<K: Kind>(ray: &Point<K>, point: &Point<K>) -> Number<K> {
     (ray.conj() * point).re().clone()
 }
@@ -91,7 +96,7 @@ impl<K: Kind> Constants<K> {
     }
 }
 
-/// The invariants of a motion with two Burmester points on free rays and a third one, which may be
+/// The invariants of a motion with two Burmester points on given rays and a third one, which may be
 /// the one on the inflection circle.
 ///
 /// a₃ + ib₃ is β times a given complex number. For each β the three rays hold a point with four
@@ -176,15 +181,14 @@ pub(super) fn fourth_tangent<K: Kind>(
 }
 
 /// The ray of a tangent, with the root that makes its direction a unit vector.
-pub(super) fn ray_of_tangent<K: Real>(
-    free: &mut dyn crate::scenes::Free<K>,
+pub(super) fn angle_of_tangent<K: Real>(
+    free: &mut dyn Free<K>,
     name: &str,
     tan: &Number<K>,
-) -> Result<(Angle<K>, Point<K>), Unbuilt> {
+) -> Result<Angle<K>, Unbuilt> {
     let length = free.root(name, &(1 + tan.square()))?;
     let direction = Number::complex(Number::one(), tan.clone());
-    let ray = direction.scaled(&length.inverse());
-    Ok((Angle::of_known_length(direction, length), ray))
+    Ok(Angle::of_known_length(direction, length))
 }
 
 /// A property that follows from the construction. With free symbols it is left to the formulas: it would
