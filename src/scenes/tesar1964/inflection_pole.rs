@@ -1,7 +1,7 @@
 //! Chapter II: the slider's pin at the inflection pole.
 
 use super::ball_burmester::motion_with;
-use super::pole_frame::{Pair, inflection_point, pair_on_ray, unless_contact};
+use super::pole_frame::{Pair, angle_of_tangent, inflection_point, pair_on_ray, unless_contact};
 use crate::curvature::canonical::Invariants;
 use crate::curvature::osculation::inflection_circle;
 use crate::formula::Bindings;
@@ -39,7 +39,8 @@ pub const SCENE: Scene = scene!(
 
 pub const EQUAL_CRANKS: Scene = scene!(
     "tesar1964/equal-cranks",
-    "The same with the pole normal as the bisector of the rays of A and B.",
+    "The same with the pole normal as the bisector of the rays of A and B. A is named so that the tangent of \
+     its ray is positive.",
     build_equal_cranks,
     [
         "k": "PO_a / sin alpha_a",
@@ -143,8 +144,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
 }
 
 fn build_equal_cranks<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
-    let alpha_a = free.angle("alpha_a")?;
-    let alpha_b = Angle::from_cos_sin(-alpha_a.cos(), alpha_a.sin());
+    let tan = free.length("tan alpha_a")?;
+    let alpha_a = angle_of_tangent(free, "1/cos alpha_a", &tan)?;
+    let alpha_b = Angle::of_known_length(
+        -alpha_a.direction().conj(),
+        alpha_a.direction().re() / alpha_a.cos(),
+    );
     let Design {
         invariants,
         a,
