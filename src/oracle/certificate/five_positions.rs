@@ -5,12 +5,12 @@ use serde_json::{Value, json};
 
 use super::alternates::{Known, Listed as Finite};
 use super::geometry::Sheet;
-use super::linkages::{self, Dyad, Joint};
+use super::linkages;
 use super::newton::{self, Vector};
 use super::rest::Rest;
 use super::roots::{self, Listed};
 use super::shown::{Coordinate, Shown, digits, list, point};
-use super::{Defect, alternates, eliminant, family, require};
+use super::{Defect, alternates, dyads, eliminant, family, require};
 use crate::finite::positions::Positions;
 use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
@@ -34,7 +34,7 @@ struct Pair {
     is_real: bool,
 }
 
-/// Checks everything but the linkages that slide and those at a change point.
+/// Checks everything but estimates and what is said of wishes.
 pub fn check(given: &Given, known: &[Known], answer: &Value) -> Result<(), Defect> {
     let digits = digits(answer)?;
     let bits = digits.saturating_mul(8).saturating_add(256);
@@ -258,8 +258,10 @@ fn linkages(
         "linkages",
         "not every two pairs, once each",
     )?;
-    let finite = finite_dyads(given, pairs, sheet.bits);
-    let infinite = infinite_dyads(given, at_infinity, sheet)?;
+    let real = pairs.iter().filter(|pair| pair.is_real);
+    let real = real.map(|pair| (&pair.enclosure, pair.exactly()));
+    let finite = dyads::finite(given, real, sheet.bits);
+    let infinite = dyads::infinite(given, at_infinity, sheet)?;
     let named = |name: &Value| {
         let (list, place) = match name.as_u64() {
             Some(place) => (&finite, Some(place)),
@@ -276,66 +278,6 @@ fn linkages(
         }
     }
     rest.finish()
-}
-
-/// The pairs at infinity, with the directions that are listed.
-fn infinite_dyads(
-    given: &Given,
-    at_infinity: &[Value],
-    sheet: &Sheet<'_>,
-) -> Result<Vec<Dyad>, Defect> {
-    let positions = given.rounded::<Ball>(&sheet.bits);
-    let read = |value: &Value| -> Result<Point<Ball>, Defect> {
-        let [x, y] = point(value, "at_infinity", sheet.digits)?;
-        // An exact number has no precision, to which a length could be computed.
-        let part = |part: &Shown| Number(part.ball(sheet.bits).0.with_precision(sheet.bits));
-        Ok(Number::complex(part(&x.re), part(&y.re)))
-    };
-    let dyad = |value: &Value| {
-        let direction = || read(&value["direction"]);
-        let places = positions.displacements().iter();
-        let (center, places) = match value["kind"].as_str() {
-            Some("center") => {
-                let z = read(&value["circlepoint"])?;
-                let places = places.map(|position| Joint::At(position.of(&z)));
-                (Joint::towards(&direction()?), places.collect())
-            }
-            Some("circlepoint") => {
-                let z = direction()?;
-                let places = places.map(|position| Joint::towards(&(&position.rotation * &z)));
-                (Joint::At(read(&value["center"])?), places.collect())
-            }
-            _ => (Joint::At(Number::zero()), Vec::new()),
-        };
-        Ok(Dyad {
-            center,
-            places,
-            exact: None,
-        })
-    };
-    at_infinity.iter().map(dyad).collect()
-}
-
-/// The real finite pairs with the places of their circlepoints.
-fn finite_dyads(given: &Given, pairs: &[Pair], bits: u32) -> Vec<Dyad> {
-    let positions = given.rounded::<Ball>(&bits);
-    let first = given.rational();
-    let first = first.and_then(|all| all.displacements().first().cloned());
-    let real = |x: &Entry, y: &Entry| Number::complex(x.re().clone(), y.re().clone());
-    let real_pairs = pairs.iter().filter(|pair| pair.is_real);
-    real_pairs
-        .map(|pair| {
-            let [x, y, cx, cy] = &pair.enclosure;
-            let z = real(x, y);
-            let places = positions.displacements().iter();
-            let exact = pair.exactly().zip(first.as_ref());
-            Dyad {
-                center: Joint::At(real(cx, cy)),
-                places: places.map(|position| Joint::At(position.of(&z))).collect(),
-                exact: exact.map(|([z, center], first)| [center, first.of(&z)]),
-            }
-        })
-        .collect()
 }
 
 impl Pair {

@@ -25,6 +25,7 @@
 mod alternates;
 mod centerpoint_curve;
 mod curve;
+mod dyads;
 mod eliminant;
 mod family;
 mod fitted;
