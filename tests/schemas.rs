@@ -471,6 +471,40 @@ fn mixed_positions() {
 }
 
 #[test]
+fn curvature() {
+    let link = |point: [&str; 2], center: Value| json!({"circlepoint": point, "center": center});
+    for links in [
+        json!([
+            link(["1", "2"], json!(["0", "0"])),
+            link(["4", "3"], json!(["5", "0"]))
+        ]),
+        json!([
+            link(["1", "2"], json!(["0", "0"])),
+            link(["4", "0"], json!({"at_infinity": ["0", "1"]}))
+        ]),
+        // Parallel cranks.
+        json!([
+            link(["0", "2"], json!(["0", "0"])),
+            link(["4", "3"], json!(["4", "0"]))
+        ]),
+        // An isosceles trapezium.
+        json!([
+            link(["1", "2"], json!(["0", "0"])),
+            link(["4", "2"], json!(["5", "0"]))
+        ]),
+    ] {
+        answered(
+            "curvature",
+            json!({"problem": "curvature", "links": links, "points": [["2", "3"], ["1", "2"]]}),
+        );
+    }
+    answered(
+        "curvature",
+        json!({"problem": "curvature", "invariants": {"third": ["1", "-2"], "fourth": ["1/2", "3"]}}),
+    );
+}
+
+#[test]
 fn five_positions_with_wishes() {
     let tan_half = |text: &str| json!({"tan_half": text});
     // The origin slides along the x-axis.

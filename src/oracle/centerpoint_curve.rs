@@ -73,7 +73,8 @@ fn by_all_routes<K: Shown>(positions: &Positions<K>) -> Option<Cubic<K>> {
     (K::ROUNDS || !contradicted).then_some(cubic)
 }
 
-fn curve<K: Shown>(name: &str, cubic: &Cubic<K>, attempt: &mut Attempt) -> Map<String, Value> {
+/// What there is to say of a cubic through the circular points.
+pub fn curve<K: Shown>(name: &str, cubic: &Cubic<K>, attempt: &mut Attempt) -> Map<String, Value> {
     let at = |part: &str| format!("{name}.{part}");
     let curve_type = curve_type::curve_type(cubic);
     let form = FocalCubic::of(cubic);

@@ -75,8 +75,9 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 8] = [
+pub const PROBLEMS: [&str; 9] = [
     "centerpoint-curve",
+    "curvature",
     "five-positions",
     "focal-mechanism",
     "hart",
@@ -104,6 +105,7 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
     let name = fields.name()?;
     let answer = match name {
         "centerpoint-curve" => centerpoint_curve::answer(&fields, request)?,
+        "curvature" => five_positions::curvature::answer(&fields, request)?,
         "five-positions" => five_positions::answer(&fields, request)?,
         "focal-mechanism" => focal_mechanism::answer(&fields, request)?,
         "hart" => hart::answer(&fields, request)?,

@@ -4,6 +4,7 @@ mod canvas;
 mod centerpoint_curve;
 mod complex;
 mod contour;
+mod curvature;
 mod five_positions;
 mod focal_mechanism;
 mod frames;
@@ -21,6 +22,7 @@ use serde_json::Value;
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
         "centerpoint-curve" => centerpoint_curve::picture(problem, answer),
+        "curvature" => curvature::picture(problem, answer),
         "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),

@@ -1,5 +1,6 @@
 //! `five-positions`: all Burmester pairs, with proof, and the linkages that they make.
 
+pub mod curvature;
 mod found;
 mod known;
 pub mod mixed;

@@ -92,6 +92,10 @@ impl<C: Conditions> Writer<'_, C> {
             })
             .collect();
         dyads.extend(at_infinity);
+        if self.positions.is_empty() {
+            // Nothing is asked of linkages where there is no position for them to pass.
+            dyads.clear();
+        }
         let bits = self.attempt.bits;
         let linkages = linkages::all(&dyads, self.exact.as_deref(), &self.positions, bits);
         let mut written: Vec<Value> = linkages
