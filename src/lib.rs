@@ -28,8 +28,8 @@
 //!
 //! The kinds: `f64`, [`Exact`](number::Exact) rationals, [`Surd`](number::Surd)s (sums of square
 //! roots, decided exactly), [`Ball`](number::Ball)s (rigorous enclosures),
-//! [`Fraction`](number::Fraction)s of polynomials with relations (identities for all values), and
-//! [`Complex`](number::Complex) numbers over any of them. A predicate answers yes, no or unknown
+//! [`Fraction`](number::Fraction)s of polynomials with relations (identities for all values),
+//! truncated power [`Series`](number::Series) and [`Complex`](number::Complex) numbers over any of them. A predicate answers yes, no or unknown
 //! ([`Truth`](number::Truth)).
 //!
 //! # Formulas are data
