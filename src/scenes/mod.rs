@@ -6,6 +6,8 @@
 //! numbers of a printed example.
 
 pub mod check;
+#[cfg(test)]
+mod example2020;
 mod filemon1970;
 mod filemon1973;
 pub mod free;
