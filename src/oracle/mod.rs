@@ -96,6 +96,19 @@ pub fn displacements(problem: &Value) -> Result<Vec<Displacement<f64>>, ProblemE
     Ok(given.rounded::<f64>(&()).displacements().to_vec())
 }
 
+/// The directions of the rays of A and D that a slider-crank is given by, in floats: for pictures.
+///
+/// # Errors
+/// A problem without these angles, or with wrong ones.
+pub fn rays(problem: &Value) -> Result<[[f64; 2]; 2], ProblemError> {
+    let fields = input::Fields::of(problem)?;
+    let ray = |name: &str| {
+        let angle = fields.angle(name)?.rounded::<f64>(&());
+        Ok([angle.cos().0, angle.sin().0])
+    };
+    Ok([ray("alpha_a")?, ray("alpha_d")?])
+}
+
 /// Solves one problem, given and answered as JSON.
 ///
 /// # Errors

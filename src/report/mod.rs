@@ -12,6 +12,7 @@ mod hart;
 mod linkage_panels;
 mod mixed_positions;
 mod poles;
+mod slider_crank;
 mod stretches;
 mod three_positions;
 
@@ -28,6 +29,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         "hart" => hart::picture(answer),
         "mixed-positions" => mixed_positions::picture(problem, answer),
         "poles" => poles::picture(problem, answer),
+        "slider-crank-alternates" => slider_crank::picture(problem, answer),
         "three-positions" => three_positions::picture(problem, answer),
         _ => None,
     }
