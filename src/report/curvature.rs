@@ -6,12 +6,18 @@ use std::f64::consts::TAU;
 use serde_json::Value;
 
 use super::canvas::{Canvas, Joint, Point, Stroke};
-use super::complex::z;
+use super::complex::{point, z};
 use super::{contour, finite_point, frames, numbers};
+use crate::curvature::canonical::Invariants;
+use crate::curvature::closure;
+use crate::curvature::contact::Guide;
+use crate::curvature::motion::{Motion, coefficient};
 use crate::plane::circular_cubic::Cubic;
 
 /// Farther away than so many times the size of the figure a pair is told, not drawn.
 const FAR: f64 = 4.0;
+/// Of the series of a path.
+const ORDER: usize = 4;
 /// Points of a circle.
 const STEPS: u32 = 96;
 
@@ -47,8 +53,15 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     draw_cubic(&mut canvas, &answer["circlepoint"]["coefficients"]);
     draw_circle(&mut canvas, pole, inflection_pole);
     for pair in found.iter().filter(|pair| shown(pair)) {
-        canvas.line(pair.points(), Stroke::Construction);
+        draw_pair(&mut canvas, pair);
     }
+    let ball_point = finite_point(&answer["ball_point"]).filter(near);
+    let asked = answer["points"].as_array().into_iter().flatten();
+    let mut asked: Vec<Point> = asked.filter_map(|at| finite_point(&at["point"])).filter(near).collect();
+    if asked.is_empty() {
+        asked.extend(ball_point);
+    }
+    let has_paths = draw_paths(&mut canvas, problem, &asked, size);
     draw_linkage(&mut canvas, &links);
     for (name, at) in [
         ("P", pole),
@@ -70,14 +83,15 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
             canvas.joint(point, Joint::Moving, &format!("A{name}"));
         }
     }
-    for at in answer["points"].as_array().into_iter().flatten() {
-        if let Some(at) = finite_point(&at["point"]).filter(near) {
-            canvas.joint(at, Joint::Mark, "");
-        }
+    for at in asked.iter().filter(|at| Some(**at) != ball_point) {
+        canvas.joint(*at, Joint::Mark, "");
     }
     canvas.explain(Stroke::Guide, "inflection circle");
     canvas.explain(Stroke::Curve, "cubic of stationary curvature");
-    canvas.explain(Stroke::Construction, "Burmester point A and its center B");
+    canvas.explain(Stroke::Construction, "Burmester point A, its center B and circle");
+    if has_paths {
+        canvas.explain(Stroke::Path, "path of a point, and its tangent");
+    }
     Some(canvas.to_svg())
 }
 
@@ -95,6 +109,72 @@ fn pairs(list: Option<&Value>) -> Vec<Pair> {
         center: finite_point(&pair["center"]),
     })
     .collect()
+}
+
+/// A link and its circle.
+fn draw_pair(canvas: &mut Canvas, pair: &Pair) {
+    let (Some(point), Some(center)) = (pair.circlepoint, pair.center) else {
+        return;
+    };
+    canvas.line([center, point], Stroke::Construction);
+    let radius = (point[0] - center[0]).hypot(point[1] - center[1]);
+    canvas.background(circle(center, radius), Stroke::Construction);
+}
+
+fn circle([x, y]: Point, radius: f64) -> Vec<Point> {
+    let at = |step: u32| {
+        let angle = TAU * f64::from(step) / f64::from(STEPS);
+        [x + radius * angle.cos(), y + radius * angle.sin()]
+    };
+    (0..=STEPS).map(at).collect()
+}
+
+/// The paths of points near the position, by their series, with their tangents; whether there are any.
+fn draw_paths(canvas: &mut Canvas, problem: &Value, points: &[Point], size: f64) -> bool {
+    let Some(motion) = motion(problem) else {
+        return false;
+    };
+    for [x, y] in points {
+        let path = motion.path_of(&z(*x, *y));
+        let terms: Vec<Point> = (0..=ORDER).map(|j| point(&coefficient(&path, j))).collect();
+        let at = |t: f64| {
+            let sum = |axis: usize| terms.iter().rev().fold(0.0, |sum, term| sum * t + term[axis]);
+            [sum(0), sum(1)]
+        };
+        let speed = terms[1][0].hypot(terms[1][1]);
+        if speed == 0.0 {
+            continue;
+        }
+        let reach = size / 5.0 / speed;
+        let along = |sign: f64| [0, 1].map(|axis: usize| terms[0][axis] + sign * reach * terms[1][axis]);
+        canvas.line([along(-1.0), along(1.0)], Stroke::Path);
+        let times = (0..=STEPS).map(|step| reach * (2.0 * f64::from(step) / f64::from(STEPS) - 1.0));
+        canvas.background(times.map(at).collect(), Stroke::Path);
+    }
+    !points.is_empty()
+}
+
+/// The motion of the linkage, or of the invariants.
+fn motion(problem: &Value) -> Option<Motion<f64>> {
+    if let Some(invariants) = problem.get("invariants") {
+        let [third, fourth] = ["third", "fourth"].map(|name| finite_point(&invariants[name]));
+        let ([a, b], [c, d]) = (third?, fourth?);
+        return Some(Invariants { third: z(a, b), fourth: z(c, d) }.motion());
+    }
+    let links = problem.get("links")?.as_array()?;
+    let guide = |link: &Value| {
+        let direction = |name: &str| finite_point(&link[name]["at_infinity"]).map(|[x, y]| z(x, y));
+        let finite = |name: &str| finite_point(&link[name]).map(|[x, y]| z(x, y));
+        Some(match (direction("circlepoint"), direction("center")) {
+            (Some(normal), _) => Guide::MovingLine { center: finite("center")?, normal },
+            (_, Some(normal)) => Guide::Line { point: finite("circlepoint")?, normal },
+            _ => Guide::Circle { point: finite("circlepoint")?, center: finite("center")? },
+        })
+    };
+    let [first, second] = links.as_slice() else {
+        return None;
+    };
+    closure::motion(&[guide(first)?, guide(second)?], ORDER)
 }
 
 fn draw_linkage(canvas: &mut Canvas, links: &[Pair]) {

@@ -45,6 +45,7 @@ pub fn of(problem: &str) -> Option<&'static Shape> {
     Some(match problem {
         "five-positions" | "mixed-positions" => &FIVE_POSITIONS,
         "centerpoint-curve" => &CENTERPOINT_CURVE,
+        "curvature" => &CURVATURE,
         "poles" => &POLES,
         "three-positions" => &THREE_POSITIONS,
         "slider-crank-alternates" => &SLIDER_CRANK_ALTERNATES,
@@ -54,36 +55,37 @@ pub fn of(problem: &str) -> Option<&'static Shape> {
     })
 }
 
+const fn pairs(required: bool) -> Shape {
+    Set {
+        member: &[("circlepoint", Point), ("center", Point)],
+        required,
+        degenerate: false,
+    }
+}
+
+const COMPLEX_PAIRS: Shape = Set {
+    member: &[("circlepoint", ComplexPoint), ("center", ComplexPoint)],
+    required: false,
+    degenerate: false,
+};
+
+const AT_INFINITY: Shape = Set {
+    member: &[
+        ("kind", ANY),
+        ("circlepoint", Point),
+        ("center", Point),
+        ("direction", UpToFactor),
+    ],
+    required: false,
+    degenerate: true,
+};
+
+const COUNTS: Shape = Fields(&[("real", ANY), ("complex", ANY), ("at_infinity", ANY)]);
+
 const FIVE_POSITIONS: Shape = Fields(&[
-    (
-        "pairs",
-        Set {
-            member: &[("circlepoint", Point), ("center", Point)],
-            required: true,
-            degenerate: false,
-        },
-    ),
-    (
-        "complex_pairs",
-        Set {
-            member: &[("circlepoint", ComplexPoint), ("center", ComplexPoint)],
-            required: false,
-            degenerate: false,
-        },
-    ),
-    (
-        "at_infinity",
-        Set {
-            member: &[
-                ("kind", ANY),
-                ("circlepoint", Point),
-                ("center", Point),
-                ("direction", UpToFactor),
-            ],
-            required: false,
-            degenerate: true,
-        },
-    ),
+    ("pairs", pairs(true)),
+    ("complex_pairs", COMPLEX_PAIRS),
+    ("at_infinity", AT_INFINITY),
     (
         "family",
         Fields(&[
@@ -94,10 +96,20 @@ const FIVE_POSITIONS: Shape = Fields(&[
             ("centers", UpToFactor),
         ]),
     ),
-    (
-        "counts",
-        Fields(&[("real", ANY), ("complex", ANY), ("at_infinity", ANY)]),
-    ),
+    ("counts", COUNTS),
+]);
+
+const CURVATURE: Shape = Fields(&[
+    ("pole", Point),
+    ("inflection_circle", UpToFactor),
+    ("inflection_pole", Point),
+    ("ball_point", Point),
+    ("circlepoint", CURVE),
+    ("centerpoint", CURVE),
+    ("pairs", pairs(false)),
+    ("complex_pairs", COMPLEX_PAIRS),
+    ("at_infinity", AT_INFINITY),
+    ("counts", COUNTS),
 ]);
 
 const CURVE: Shape = Fields(&[

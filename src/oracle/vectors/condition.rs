@@ -87,6 +87,7 @@ impl Disturbance {
                 "problem" => value.clone(),
                 "positions" => self.list(value, Self::position)?,
                 "circlepoints" | "centers" => self.list(value, Self::point)?,
+                "links" => self.list(value, Self::link)?,
                 "alpha_a" | "alpha_d" => self.angle(value)?,
                 "k" | "m" | "n" | "d" | "a" | "b" | "c" | "rho" | "kappa" => {
                     let factor: Rational = self.step() + 1;
@@ -120,6 +121,14 @@ impl Disturbance {
             self.coordinate(&value[0])?,
             self.coordinate(&value[1])?
         ]))
+    }
+
+    fn link(&mut self, link: &Value) -> Option<Value> {
+        let mut end = |name: &str| match link[name].get("at_infinity") {
+            Some(direction) => Some(json!({"at_infinity": self.point(direction)?})),
+            None => self.point(&link[name]),
+        };
+        Some(json!({"circlepoint": end("circlepoint")?, "center": end("center")?}))
     }
 
     fn position(&mut self, position: &Value) -> Option<Value> {

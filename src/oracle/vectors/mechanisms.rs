@@ -1,10 +1,13 @@
-//! Problems about one mechanism: Hart's, focal mechanisms, slider-cranks.
+//! Problems about one mechanism: Hart's, focal mechanisms, slider-cranks, any linkage in one position.
 
 use rug::Rational;
 use serde_json::{Value, json};
 
 use super::Problem;
 use super::draw::Draw;
+use super::pose;
+use crate::number::Exact;
+use crate::plane::Point;
 
 pub fn hart(draw: &mut Draw) -> Vec<Problem> {
     let mut problems = Vec::new();
@@ -92,6 +95,50 @@ pub fn slider_cranks(draw: &mut Draw) -> Vec<Problem> {
             "k": k,
             "alpha_a": alpha_a,
             "alpha_d": alpha_d,
+        });
+        problems.push(Problem::new(kind, flags, input));
+    }
+    problems
+}
+
+/// Linkages in one position.
+pub fn curvature(draw: &mut Draw) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    while problems.len() < 120 {
+        let [a, b, p, q] = [draw.point(), draw.point(), draw.point(), draw.point()];
+        let kinds: [(&str, &[&str]); 4] = [
+            ("four-bar", &[]),
+            ("slider-crank", &["pair-at-infinity"]),
+            ("turning block", &["pair-at-infinity"]),
+            ("parallel cranks", &["pole-at-infinity"]),
+        ];
+        let (kind, flags) = kinds[problems.len() % kinds.len()];
+        let infinite = |z: &Point<Exact>| json!({"at_infinity": pose::point(z)});
+        let finite = pose::point;
+        // The links lie on lines through one of their ends in these directions, which must meet in one
+        // point: the pole.
+        let along = [&a - &p, &b - &q];
+        let (second, directions) = match kind {
+            "slider-crank" => ([finite(&b), infinite(&q)], [along[0].clone(), q.clone()]),
+            "turning block" => ([infinite(&b), finite(&q)], [along[0].clone(), b.clone()]),
+            "parallel cranks" => {
+                let b = &q + along[0].scaled(&(draw.positive(3) + 1).into());
+                let base = &q - &p;
+                ([finite(&b), finite(&q)], [along[0].clone(), base])
+            }
+            _ => ([finite(&b), finite(&q)], along),
+        };
+        let [d, e] = &directions;
+        if (d.conj() * e).im().is_zero().is_yes() {
+            continue;
+        }
+        let [circlepoint, center] = second;
+        let input = json!({
+            "problem": "curvature",
+            "links": [
+                {"circlepoint": finite(&a), "center": finite(&p)},
+                {"circlepoint": circlepoint, "center": center},
+            ],
         });
         problems.push(Problem::new(kind, flags, input));
     }

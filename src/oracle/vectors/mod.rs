@@ -55,11 +55,16 @@ pub struct Corpus {
 }
 
 /// All corpora, in the order of their names.
-pub const CORPORA: [Corpus; 17] = [
+pub const CORPORA: [Corpus; 18] = [
     Corpus {
         name: "by-two-points",
         description: "positions given by two points of the body, three to five of them",
         source: Source::Drawn(1888, spelled::by_two_points),
+    },
+    Corpus {
+        name: "curvature",
+        description: "four-bars, slider-cranks and turning blocks in one position",
+        source: Source::Drawn(7, mechanisms::curvature),
     },
     Corpus {
         name: "degenerate-five-positions",
