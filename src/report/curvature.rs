@@ -57,7 +57,10 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     }
     let ball_point = finite_point(&answer["ball_point"]).filter(near);
     let asked = answer["points"].as_array().into_iter().flatten();
-    let mut asked: Vec<Point> = asked.filter_map(|at| finite_point(&at["point"])).filter(near).collect();
+    let mut asked: Vec<Point> = asked
+        .filter_map(|at| finite_point(&at["point"]))
+        .filter(near)
+        .collect();
     if asked.is_empty() {
         asked.extend(ball_point);
     }
@@ -88,7 +91,10 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     }
     canvas.explain(Stroke::Guide, "inflection circle");
     canvas.explain(Stroke::Curve, "cubic of stationary curvature");
-    canvas.explain(Stroke::Construction, "Burmester point A, its center B and circle");
+    canvas.explain(
+        Stroke::Construction,
+        "Burmester point A, its center B and circle",
+    );
     if has_paths {
         canvas.explain(Stroke::Path, "path of a point, and its tangent");
     }
@@ -138,7 +144,12 @@ fn draw_paths(canvas: &mut Canvas, problem: &Value, points: &[Point], size: f64)
         let path = motion.path_of(&z(*x, *y));
         let terms: Vec<Point> = (0..=ORDER).map(|j| point(&coefficient(&path, j))).collect();
         let at = |t: f64| {
-            let sum = |axis: usize| terms.iter().rev().fold(0.0, |sum, term| sum * t + term[axis]);
+            let sum = |axis: usize| {
+                terms
+                    .iter()
+                    .rev()
+                    .fold(0.0, |sum, term| sum * t + term[axis])
+            };
             [sum(0), sum(1)]
         };
         let speed = terms[1][0].hypot(terms[1][1]);
@@ -146,9 +157,11 @@ fn draw_paths(canvas: &mut Canvas, problem: &Value, points: &[Point], size: f64)
             continue;
         }
         let reach = size / 5.0 / speed;
-        let along = |sign: f64| [0, 1].map(|axis: usize| terms[0][axis] + sign * reach * terms[1][axis]);
+        let along =
+            |sign: f64| [0, 1].map(|axis: usize| terms[0][axis] + sign * reach * terms[1][axis]);
         canvas.line([along(-1.0), along(1.0)], Stroke::Path);
-        let times = (0..=STEPS).map(|step| reach * (2.0 * f64::from(step) / f64::from(STEPS) - 1.0));
+        let times =
+            (0..=STEPS).map(|step| reach * (2.0 * f64::from(step) / f64::from(STEPS) - 1.0));
         canvas.background(times.map(at).collect(), Stroke::Path);
     }
     !points.is_empty()
@@ -159,16 +172,31 @@ fn motion(problem: &Value) -> Option<Motion<f64>> {
     if let Some(invariants) = problem.get("invariants") {
         let [third, fourth] = ["third", "fourth"].map(|name| finite_point(&invariants[name]));
         let ([a, b], [c, d]) = (third?, fourth?);
-        return Some(Invariants { third: z(a, b), fourth: z(c, d) }.motion());
+        return Some(
+            Invariants {
+                third: z(a, b),
+                fourth: z(c, d),
+            }
+            .motion(),
+        );
     }
     let links = problem.get("links")?.as_array()?;
     let guide = |link: &Value| {
         let direction = |name: &str| finite_point(&link[name]["at_infinity"]).map(|[x, y]| z(x, y));
         let finite = |name: &str| finite_point(&link[name]).map(|[x, y]| z(x, y));
         Some(match (direction("circlepoint"), direction("center")) {
-            (Some(normal), _) => Guide::MovingLine { center: finite("center")?, normal },
-            (_, Some(normal)) => Guide::Line { point: finite("circlepoint")?, normal },
-            _ => Guide::Circle { point: finite("circlepoint")?, center: finite("center")? },
+            (Some(normal), _) => Guide::MovingLine {
+                center: finite("center")?,
+                normal,
+            },
+            (_, Some(normal)) => Guide::Line {
+                point: finite("circlepoint")?,
+                normal,
+            },
+            _ => Guide::Circle {
+                point: finite("circlepoint")?,
+                center: finite("center")?,
+            },
         })
     };
     let [first, second] = links.as_slice() else {

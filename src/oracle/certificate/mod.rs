@@ -17,7 +17,7 @@
 //! - `slider-crank-alternates`: that A, B, C, D keep their distances up to the fourth order, and that
 //!   there are no others.
 //!
-//! Not covered, and said so where it is asked for: what is said of wishes; pairs beside a family; poles
+//! Not covered, and said so where it is asked for: `curvature` and `mixed-positions`; what is said of wishes; pairs beside a family; poles
 //! that may be finite or not; linkages of two joints at infinity, degenerate ones, and those with a
 //! position that is a dead centre itself. What an answer names as undecided is not checked, all else of
 //! it is.
@@ -110,7 +110,7 @@ pub fn check_answer(problem: &Value, answer: &Value) -> Result<(), Defect> {
     )?;
     let mut rest = Rest::default();
     rest.after(check_kind(name, &fields, answer))?;
-    if fields.has("positions") {
+    if fields.has("positions") && name != "mixed-positions" {
         let given = Given::read(&fields, 1, usize::MAX).map_err(refused)?;
         rest.after(fitted::check(&given, answer))?;
     }
