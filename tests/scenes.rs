@@ -431,6 +431,12 @@ mod sources {
             Truth::Yes
         );
         assert_eq!(root.is_positive(), Truth::Yes);
+        let slope = symbols.slope("psi").unwrap();
+        let unit = slope.cos().square() + slope.sin().square();
+        assert_eq!(unit.equals(&1.into()), Truth::Yes);
+        let quotient = slope.sin() / slope.cos();
+        assert_eq!(quotient.equals(&slope.tan()), Truth::Yes);
+        assert!(slope.direction().re().equals(&1.into()).is_yes());
     }
 }
 

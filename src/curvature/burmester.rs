@@ -24,7 +24,7 @@ use super::motion::Motion;
 use crate::finite::five_positions::conditions;
 use crate::finite::five_positions::conics::{Pairs, pairs_of};
 use crate::number::univariate::Quadratic;
-use crate::number::{Exact, Kind, Number, Real};
+use crate::number::{Exact, Kind, Number, Real, Series, Truth};
 use crate::plane::displacement::Displacement;
 use crate::plane::projective::ProjectivePoint;
 
@@ -73,6 +73,14 @@ impl<K: Kind> Invariants<K> {
         // sin α e^{iα}, on the ray (b₃, −a₃).
         ProjectivePoint::new(-(a * b), a.square(), a.square() + b.square())
     }
+
+    /// Whether Ball's point is a Burmester point, and so has contact of order four with its tangent:
+    /// a₄b₃ = (b₄ + 1)a₃.
+    pub fn has_ball_burmester_point(&self) -> Truth {
+        let (third, fourth) = (&self.third, &self.fourth);
+        let excess = fourth.re() * third.im() - (fourth.im() + 1) * third.re();
+        excess.is_zero()
+    }
 }
 
 impl<K: Real> Invariants<K> {
@@ -99,7 +107,7 @@ pub fn contact_conditions<K: Kind>(motion: &Motion<K>, order: usize) -> Vec<Vec<
         .collect()
 }
 
-fn terms_in<K: Kind>(row: &[Number<crate::number::Series<K>>], j: usize) -> Vec<Number<K>> {
+fn terms_in<K: Kind>(row: &[Number<Series<K>>], j: usize) -> Vec<Number<K>> {
     row.iter().map(|entry| entry.coefficient(j)).collect()
 }
 
@@ -208,13 +216,9 @@ mod tests {
     fn ball_s_point_has_contact_of_order_three_with_its_tangent() {
         let invariants = invariants(at(2, 5), at(-3, 7));
         let motion = invariants.motion();
-        let point = invariants.ball_point().finite().unwrap();
-        let guide = Guide::Line {
-            normal: point.clone(),
-            point,
-        };
-        let order = guide.contact(&motion);
+        let order = ball_guide(&invariants).contact(&motion);
         assert_eq!((order.least, order.most), (3, Some(3)));
+        assert!(invariants.has_ball_burmester_point().is_no());
     }
 
     /// For a₃ = b₃ = 0 the pole itself, whose path has a cusp, is one of the four; its center is on the
@@ -234,6 +238,58 @@ mod tests {
             pair.place == Place::Finite && (x.is_zero() & y.is_zero()).is_yes()
         });
         assert_eq!(poles.count(), 1);
+    }
+
+    fn ball_guide(invariants: &Invariants<Exact>) -> Guide<Exact> {
+        let point = invariants.ball_point().finite().unwrap();
+        Guide::Line {
+            normal: point.clone(),
+            point,
+        }
+    }
+
+    /// (b₄ + 1)a₃/b₃ for the shift a₄.
+    fn with_ball_burmester_point(third: Point<Exact>, b4: Number<Exact>) -> Invariants<Exact> {
+        let a4 = (&b4 + 1) * third.re() / third.im();
+        Invariants {
+            third,
+            fourth: Number::complex(a4, b4),
+        }
+    }
+
+    #[test]
+    fn ball_s_point_may_be_a_burmester_point() {
+        let invariants = with_ball_burmester_point(at(2, 5), 7.into());
+        assert!(invariants.has_ball_burmester_point().is_yes());
+        assert_eq!(
+            ball_guide(&invariants).contact(&invariants.motion()).least,
+            4
+        );
+        let sliding = isolated(&invariants).real(200);
+        let sliding = sliding
+            .iter()
+            .filter(|pair| pair.place == Place::CenterAtInfinity);
+        assert_eq!(sliding.count(), 1);
+    }
+
+    /// The form's root in Ball's ray is double where its derivative there, linear in b₄, vanishes.
+    #[test]
+    fn ball_s_point_may_be_two_burmester_points() {
+        let third = at(2, 5);
+        let t = -(third.re() / third.im());
+        let slope = |b4: i64| {
+            let invariants = with_ball_burmester_point(third.clone(), b4.into());
+            tangents(&invariants).derivative().evaluate(&t)
+        };
+        let (zero, one) = (slope(0), slope(1));
+        let double = with_ball_burmester_point(third.clone(), &zero / (&zero - one));
+        assert_eq!(ball_guide(&double).contact(&double.motion()).least, 4);
+        let real = isolated(&double).real(200);
+        let sliding: Vec<_> = (real.iter())
+            .filter(|pair| pair.place == Place::CenterAtInfinity)
+            .map(|pair| pair.multiplicity)
+            .collect();
+        assert_eq!(sliding, [2]);
     }
 
     #[test]

@@ -23,10 +23,8 @@ pub fn motion<K: Kind>(guides: &[Guide<K>; 2], order: usize) -> Option<Motion<K>
         .into_iter()
         .find(|(_, (i, j))| minor(*i, *j).is_zero().is_no())?;
     let determinant = minor(i, j);
-    let mut coordinates = [const { Vec::new() }; 3].map(|mut of: Vec<Number<K>>| {
-        of.resize(order + 1, Number::zero());
-        of
-    });
+    let mut coordinates: [Vec<Number<K>>; 3] =
+        std::array::from_fn(|_| vec![Number::zero(); order + 1]);
     if order > 0 {
         coordinates[driver][1] = Number::one();
     }

@@ -1,5 +1,6 @@
 //! Circles that have several infinitesimally near points in common with the paths.
 
+use super::contact::Guide;
 use super::motion::{Motion, Path, coefficient};
 use crate::number::{Kind, Number};
 use crate::plane::Point;
@@ -23,6 +24,22 @@ pub fn center_of_curvature<K: Kind>(path: &Path<K>) -> ProjectivePoint<K> {
         p.im() * &twice + across.im(),
         twice,
     )
+}
+
+/// The circle of curvature of a point's path, or its tangent where it has an inflection. `None` where
+/// it cannot be told which, and for the pole.
+pub fn osculating<K: Kind>(motion: &Motion<K>, point: &Point<K>) -> Option<Guide<K>> {
+    let path = motion.path_of(point);
+    let center = center_of_curvature(&path);
+    let point = point.clone();
+    if let Some(center) = center.finite() {
+        return Some(Guide::Circle { point, center });
+    }
+    let normal = Number::i() * coefficient(&path, 1);
+    center
+        .is_at_infinity()
+        .is_yes()
+        .then_some(Guide::Line { point, normal })
 }
 
 /// Im(p̄₁p₂).
@@ -127,19 +144,20 @@ mod tests {
     }
 
     #[test]
-    fn the_center_keeps_its_distance_to_second_order() {
-        use crate::curvature::contact::{Contact, Guide};
-        let (motion, point) = (some_motion(), at(2, 9));
-        let center = center_of_curvature(&motion.path_of(&point))
-            .finite()
-            .unwrap();
-        let guide = Guide::Circle { point, center };
-        assert_eq!(
-            guide.contact(&motion),
-            Contact {
-                least: 2,
-                most: Some(2)
-            }
-        );
+    fn circles_of_curvature_and_tangents_have_contact_of_order_two() {
+        let motion = some_motion();
+        let circle = inflection_circle(&motion);
+        // The pole P is on the circle; a line through it meets the circle once more.
+        let pole = Number::i() * coefficient(&motion.translation, 1);
+        let toward = at(1, 3);
+        let slope = circle.at(&(&pole + &toward)) - &circle.a * toward.norm();
+        let inflection = &pole - toward.scaled(&(slope / (&circle.a * toward.norm())));
+        for (point, straight) in [(at(2, 9), false), (inflection, true)] {
+            let guide = osculating(&motion, &point).unwrap();
+            assert_eq!(matches!(guide, Guide::Line { .. }), straight);
+            let order = guide.contact(&motion);
+            assert_eq!((order.least, order.most), (2, Some(2)));
+        }
+        assert!(osculating(&motion, &pole).is_none());
     }
 }

@@ -305,6 +305,20 @@ pub fn read_paper(file: &str, text: &str) -> Result<Paper, PaperError> {
     })
 }
 
+/// The scenes whose names hold this one, else those of its source, else all sources.
+fn near_scenes(name: &str) -> Vec<&'static str> {
+    let source = |name: &'static str| name.split('/').next().unwrap_or(name);
+    let names = || scenes::scenes().iter().map(|scene| scene.name);
+    let holding: Vec<_> = names().filter(|known| known.contains(name)).collect();
+    let of_source = names().filter(|known| name.split('/').next() == Some(source(known)));
+    let mut sources: Vec<_> = names().map(source).collect();
+    sources.dedup();
+    [holding, of_source.collect(), sources]
+        .into_iter()
+        .find(|near| !near.is_empty())
+        .unwrap_or_default()
+}
+
 fn one_line(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -398,11 +412,8 @@ impl Reader<'_> {
 
     fn scene(&self, place: usize, name: &str) -> Result<&'static Scene, PaperError> {
         scenes::find(name).ok_or_else(|| {
-            let known: Vec<&str> = scenes::scenes().iter().map(|scene| scene.name).collect();
-            self.error(
-                place,
-                format!("unknown scene `{name}`; there are {}", listed(&known)),
-            )
+            let near = listed(&near_scenes(name));
+            self.error(place, format!("unknown scene `{name}`; there are {near}"))
         })
     }
 

@@ -3,7 +3,8 @@
 //!
 //! Chapter II: the pole is the origin, angles are measured from the pole tangent so that the pole
 //! normal through the inflection pole is at 90°, distances from the pole are positive along the ray
-//! of their angle, and the diameter of the inflection circle is 1.
+//! of their angle, and so are those from a center to its point; the diameter of the inflection circle is 1
+//! where it is not named.
 //!
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
