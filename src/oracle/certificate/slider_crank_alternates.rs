@@ -222,6 +222,13 @@ impl<K: Real> Motion<K> {
         let point = &other + &self.k;
         [[self.k.clone(), point], [self.k.clone(), other]]
     }
+
+    /// The fourth point gone into the pole, for a₃ = 0: |iθ²/2 + (a₄ + ib₄)θ⁴/24 − X|² has no term in θ⁴
+    /// for the X = 3/a₄ of the pole tangent.
+    fn pair_in_pole(&self) -> [Quotient<K>; 2] {
+        let point = [Number::zero(), Number::one()];
+        [point, [3 * self.k.square(), self.a4.clone()]]
+    }
 }
 
 /// The form without the zero (c, s): from both ends, so that zeros on the tangent and on the normal stay
@@ -385,11 +392,7 @@ fn distances<K: Real>(
         (Truth::No, Truth::No) => Some(motion.pair(ray)),
         (Truth::Yes, _) if cd.is_zero().is_yes() => Some(motion.pair_on_normal(&Number::zero())),
         (Truth::Yes, _) if ca.is_zero().is_yes() => Some(motion.pair_on_normal(&Number::one())),
-        // The fourth point has gone into the pole.
-        (_, Truth::Yes) if ca.is_zero().is_yes() => {
-            let zero = || [Number::zero(), Number::one()];
-            Some([zero(), zero()])
-        }
+        (_, Truth::Yes) if ca.is_zero().is_yes() => Some(motion.pair_in_pole()),
         _ => None,
     }
 }
