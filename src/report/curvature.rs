@@ -50,8 +50,8 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     for pair in found.iter().filter(|pair| shown(pair)) {
         pair.points().for_each(|at| canvas.show(at));
     }
-    draw_cubic(&mut canvas, &answer["circlepoint"]["coefficients"]);
     draw_circle(&mut canvas, pole, inflection_pole);
+    draw_cubic(&mut canvas, &answer["circlepoint"]["coefficients"]);
     for pair in found.iter().filter(|pair| shown(pair)) {
         draw_pair(&mut canvas, pair);
     }
@@ -156,7 +156,13 @@ fn draw_paths(canvas: &mut Canvas, problem: &Value, points: &[Point], size: f64)
         if speed == 0.0 {
             continue;
         }
-        let reach = size / 5.0 / speed;
+        // Not beyond where the last terms show.
+        let small = |(j, term): (usize, &Point)| {
+            let length = term[0].hypot(term[1]);
+            (size / 50.0 / length).powf(1.0 / j as f64)
+        };
+        let last = terms.iter().enumerate().skip(3).map(small);
+        let reach = last.fold(size / 5.0 / speed, f64::min);
         let along =
             |sign: f64| [0, 1].map(|axis: usize| terms[0][axis] + sign * reach * terms[1][axis]);
         canvas.line([along(-1.0), along(1.0)], Stroke::Path);
