@@ -135,14 +135,24 @@ impl<K: Real> SliderCrank<K> {
 
     /// M = 3/(a₃ + 3) = N/(N − tan α_d).
     pub fn m(&self) -> Quotient<K> {
-        let Symbols { ca, sd, k_sin, .. } = self.symbols();
+        let Symbols {
+            ca, cd, sd, k_sin, ..
+        } = self.symbols();
+        if cd.is_zero().is_yes() && ca.is_zero().is_no() {
+            return Quotient::new(self.k.clone(), &self.k + 1);
+        }
         let denominator = &k_sin - sd * ca;
         Quotient::new(k_sin, denominator)
     }
 
     /// Radius of curvature of the moving polode, R = M/(3 − M) = 1/(a₃ + 2).
     pub fn r(&self) -> Quotient<K> {
-        let Symbols { ca, sd, k_sin, .. } = self.symbols();
+        let Symbols {
+            ca, cd, sd, k_sin, ..
+        } = self.symbols();
+        if cd.is_zero().is_yes() && ca.is_zero().is_no() {
+            return Quotient::new(self.k.clone(), 2 * &self.k + 3);
+        }
         let denominator = 2 * &k_sin - 3 * sd * ca;
         Quotient::new(k_sin, denominator)
     }
@@ -203,9 +213,12 @@ impl<K: Real> SliderCrank<K> {
     /// θ⁴ leaves, beside σ = 0 of D, σ = 1 + 4/k.
     fn with_slider_pin_at_inflection_pole(&self, symbols: &Symbols<K>) -> Alternates<K> {
         let k = &self.k;
-        let ray = upper_half((k + 3) * &symbols.sa, -((k + 1) * &symbols.ca));
+        let (c, s) = ((k + 3) * &symbols.sa, -((k + 1) * &symbols.ca));
+        let scale = to_upper_half(&c, &s);
+        let ray = Angle::from_cos_sin(c * &scale, s * &scale);
+        // k sin α/(k + 1), also for k = −1, where the point is on the pole tangent.
         let on_circle = Pair {
-            point: Quotient::new(k * ray.sin(), k + 1),
+            point: Quotient::new(-(k * &symbols.ca * scale), Number::one()),
             center: Quotient::new(k * ray.sin(), Number::one()),
             ray,
         };
@@ -240,18 +253,19 @@ impl<K: Real> SliderCrank<K> {
 
 /// The direction of a ray, modulo π, as an angle in [0°, 180°).
 fn upper_half<K: Real>(c: Number<K>, s: Number<K>) -> Angle<K> {
+    let scale = to_upper_half(&c, &s);
+    Angle::from_cos_sin(c * &scale, s * scale)
+}
+
+/// What brings a direction to length 1 and into the upper half plane.
+fn to_upper_half<K: Real>(c: &Number<K>, s: &Number<K>) -> Number<K> {
     let downwards = match s.sign() {
         Some(Ordering::Less) => true,
         Some(Ordering::Equal) => c.sign() == Some(Ordering::Less),
         _ => false,
     };
-    let length = (c.square() + s.square()).sqrt();
-    let (cos, sin) = (c / &length, s / length);
-    if downwards {
-        Angle::from_cos_sin(-cos, -sin)
-    } else {
-        Angle::from_cos_sin(cos, sin)
-    }
+    let scale = (c.square() + s.square()).sqrt().inverse();
+    if downwards { -scale } else { scale }
 }
 
 /// The smaller tangent first, where that can be told; a tangent that is infinite comes last.

@@ -198,23 +198,13 @@ impl Both<'_> {
     }
 
     fn ray(&self, place: usize) -> Option<Value> {
-        let exact = self.exact.and_then(|exact| match &exact.rays {
+        let exact = self
+            .exact
+            .and_then(|exact| self.exact_ray(&exact.rays, place));
+        exact.or_else(|| match &self.balls.rays {
             Rays::Real(rays) => {
                 let ray = rays.get(place)?;
-                multiple_of_15_degrees(0..=11, |angle| angle.equals_modulo_pi(ray))
-                    .map(|q| output::exact(&q))
-            }
-            _ => None,
-        });
-        if let Some(degrees) = exact {
-            return Some(json!({"degrees": degrees}));
-        }
-        match &self.balls.rays {
-            Rays::Real(rays) => {
-                let ray = rays.get(place)?;
-                let radians = ray.sin().atan2(&ray.cos());
-                let degrees = radians * 180 / Number::pi(&self.attempt.bits);
-                Some(json!({"degrees": output::enclosure(&degrees, self.attempt.digits)?}))
+                self.degrees(&ray.cos(), &ray.sin())
             }
             Rays::Complex(tangents) => {
                 let tangent = tangents.get(place)?;
@@ -224,7 +214,44 @@ impl Both<'_> {
                 }))
             }
             Rays::Undecided => None,
+        })
+    }
+
+    fn exact_ray(&self, rays: &Rays<Surd>, place: usize) -> Option<Value> {
+        let Attempt { digits, bits, .. } = *self.attempt;
+        match rays {
+            Rays::Real(rays) => {
+                let ray = rays.get(place)?;
+                let known = multiple_of_15_degrees(0..=11, |angle| angle.equals_modulo_pi(ray));
+                if let Some(degrees) = known {
+                    return Some(json!({"degrees": output::exact(&degrees)}));
+                }
+                let [c, s] = [ray.cos(), ray.sin()];
+                let held = c.has_value() && s.has_value();
+                held.then(|| self.degrees(&c.0.enclosure(bits), &s.0.enclosure(bits)))?
+            }
+            Rays::Complex(tangents) => {
+                let tangent = tangents.get(place)?;
+                let [re, im] = [tangent.re(), tangent.im()]
+                    .map(|part| part.has_value().then(|| output::surd(part, digits, bits))?);
+                Some(json!({"re": re?, "im": im?}))
+            }
+            Rays::Undecided => None,
         }
+    }
+
+    /// The angle of a direction in the upper half plane.
+    fn degrees(&self, c: &Number<Ball>, s: &Number<Ball>) -> Option<Value> {
+        let bits = self.attempt.bits;
+        let degrees = if c.is_zero().is_yes() {
+            output::exact(&90.into())
+        } else {
+            // Exact numbers alone have no precision.
+            let [c, s] = [c, s].map(|part| Number(part.0.with_precision(bits)));
+            let radians: Number<Ball> = s.atan2(&c);
+            output::enclosure(&(radians * 180 / Number::pi(&bits)), self.attempt.digits)?
+        };
+        Some(json!({"degrees": degrees}))
     }
 }
 
