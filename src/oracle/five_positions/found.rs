@@ -84,18 +84,14 @@ impl Found {
         known: &Known,
         bits: u32,
     ) -> Option<Found> {
-        match pairs? {
-            Pairs::Isolated(isolated) => Some(Found::isolated(isolated, known, bits)),
-            Pairs::Families(beside) => Some(Found {
-                real: beside.iter().map(|pair| Real::exact(pair)).collect(),
-                complex: Vec::new(),
+        let pairs = pairs?;
+        Some(match pairs {
+            Pairs::Isolated(isolated) => Found::isolated(isolated, known, bits),
+            Pairs::Families(_) => Found {
                 family: families::family(five).map_or(Families::Unknown, Families::Known),
-                eliminant: None,
-                method: "exact linear algebra: the conditions depend on each other, or the two conics \
-                         have a part in common",
-                alternates: None,
-            }),
-        }
+                ..Found::of(pairs, bits)
+            },
+        })
     }
 
     /// Of rational conditions whatever they come from, with no name for families.
@@ -107,7 +103,8 @@ impl Found {
                 complex: Vec::new(),
                 family: Families::Unknown,
                 eliminant: None,
-                method: "exact linear algebra",
+                method: "exact linear algebra: the conditions depend on each other, or the two conics \
+                         have a part in common",
                 alternates: None,
             },
         }
