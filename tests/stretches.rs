@@ -570,7 +570,7 @@ fn linkages() {
 
 #[test]
 fn transmission_angles() {
-    cases(30, |positions, choice, [_, _, degrees, _]| {
+    cases(18, |positions, choice, [_, _, degrees, _]| {
         let Some(given) = beside(&positions) else {
             return [0, 0];
         };

@@ -37,7 +37,11 @@ fn validator(name: &str) -> Validator {
         )
     };
     jsonschema::options()
-        .with_resources(["number", "geometry"].map(resource).into_iter())
+        .with_resources(
+            ["number", "geometry", "five-positions.answer"]
+                .map(resource)
+                .into_iter(),
+        )
         .build(&schema(name))
         .unwrap()
 }
