@@ -4,43 +4,14 @@
     reason = "a test that cannot read what it tests has failed"
 )]
 
+#[path = "support/schemas.rs"]
+mod schemas;
+
 use std::fs;
-use std::path::Path;
 use std::process::Command;
 
-use jsonschema::{Resource, Validator};
+use schemas::{assert_valid, validator};
 use serde_json::{Value, json};
-
-fn schema(name: &str) -> Value {
-    let path = Path::new("data/schema").join(format!("{name}.json"));
-    serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap()
-}
-
-fn validator(name: &str) -> Validator {
-    jsonschema::options()
-        .with_resource(
-            "burmester:number",
-            Resource::from_contents(schema("number")).unwrap(),
-        )
-        .with_resource(
-            "burmester:five-positions.answer",
-            Resource::from_contents(schema("five-positions.answer")).unwrap(),
-        )
-        .with_resource(
-            "burmester:geometry",
-            Resource::from_contents(schema("geometry")).unwrap(),
-        )
-        .build(&schema(name))
-        .unwrap()
-}
-
-fn assert_valid(validator: &Validator, value: &Value, what: &str) {
-    let errors: Vec<String> = validator
-        .iter_errors(value)
-        .map(|error| format!("{}: {error}", error.instance_path))
-        .collect();
-    assert!(errors.is_empty(), "{what}: {}", errors.join("; "));
-}
 
 /// Everything through plain JSON, as another program would read it.
 fn plain(text: &str) -> Value {

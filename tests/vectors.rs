@@ -4,6 +4,8 @@
     reason = "a test that cannot read what it tests has failed"
 )]
 
+#[path = "support/schemas.rs"]
+mod schemas;
 #[path = "support/seed.rs"]
 mod seed;
 
@@ -15,43 +17,14 @@ use burmester::number::text::parse_rational;
 use burmester::oracle::vectors::{
     CORPORA, Corpus, Entry, Folder, answer_line, defects_of_form, sha256,
 };
-use jsonschema::{Resource, Validator};
+use jsonschema::Validator;
 use rug::Rational;
+use schemas::{assert_valid, validator};
 use serde_json::{Value, json};
 
 /// The sample: every so manyth problem; all where BURMESTER_LONG is 1.
 fn step() -> usize {
     if seed::rounds(1) > 1 { 1 } else { 40 }
-}
-
-fn schema(name: &str) -> Value {
-    let path = Path::new("data/schema").join(format!("{name}.json"));
-    serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap()
-}
-
-fn validator(name: &str) -> Validator {
-    let resource = |name: &str| {
-        (
-            format!("burmester:{name}"),
-            Resource::from_contents(schema(name)).unwrap(),
-        )
-    };
-    jsonschema::options()
-        .with_resources(
-            ["number", "geometry", "five-positions.answer"]
-                .map(resource)
-                .into_iter(),
-        )
-        .build(&schema(name))
-        .unwrap()
-}
-
-fn assert_valid(validator: &Validator, value: &Value, what: &str) {
-    let errors: Vec<String> = validator
-        .iter_errors(value)
-        .map(|error| format!("{}: {error}", error.instance_path))
-        .collect();
-    assert!(errors.is_empty(), "{what}: {}", errors.join("; "));
 }
 
 fn folder() -> Folder {

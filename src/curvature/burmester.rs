@@ -20,12 +20,11 @@
 //! terms in t, t², t³, t⁴: from there on nothing differs from five finitely separated positions.
 
 use super::canonical::Invariants;
+use super::mixed::Groups;
 use super::motion::Motion;
-use crate::finite::five_positions::conditions;
 use crate::finite::five_positions::conics::{Pairs, pairs_of};
 use crate::number::univariate::Quadratic;
-use crate::number::{Exact, Kind, Number, Real, Series, Truth};
-use crate::plane::displacement::Displacement;
+use crate::number::{Exact, Kind, Number, Real, Truth};
 use crate::plane::projective::ProjectivePoint;
 
 /// A point of the moving plane and its center, both of which may be at infinity.
@@ -93,22 +92,9 @@ impl<K: Real> Invariants<K> {
 }
 
 /// The Burmester pairs from the contact of order four, with multiplicities, complex ones and those at
-/// infinity; the motion is known to terms in t⁴.
+/// infinity, of a motion to terms in t⁴ or more, of which the first five positions count.
 pub fn by_contact(motion: &Motion<Exact>) -> Option<Pairs> {
-    pairs_of(&contact_conditions(motion, 4))
-}
-
-/// What a pair must fulfil for a contact of order n: one row of coefficients for each of t, …, tⁿ.
-pub fn contact_conditions<K: Kind>(motion: &Motion<K>, order: usize) -> Vec<Vec<Number<K>>> {
-    let rows = conditions::rows(&[Displacement::identity(), motion.clone()]);
-    let terms = |j: usize| move |row: &Vec<_>| terms_in(row, j);
-    (1..=order)
-        .flat_map(|j| rows.iter().map(terms(j)))
-        .collect()
-}
-
-fn terms_in<K: Kind>(row: &[Number<Series<K>>], j: usize) -> Vec<Number<K>> {
-    row.iter().map(|entry| entry.coefficient(j)).collect()
+    pairs_of(Groups(vec![motion.clone()]).conditions().get(..4)?)
 }
 
 #[cfg(test)]

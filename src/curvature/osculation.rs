@@ -7,7 +7,7 @@ use crate::plane::Point;
 use crate::plane::circle::Circle;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::displacement::Displacement;
-use crate::plane::polynomial::Polynomial;
+use crate::plane::polynomial::{Polynomial, determinant};
 use crate::plane::projective::ProjectivePoint;
 
 /// The center of the circle through three infinitesimally near points of a path, at infinity where
@@ -66,13 +66,7 @@ pub fn inflection_circle<K: Kind>(motion: &Motion<K>) -> Circle<K> {
 /// terms in t, t², t³ of A|p|² + B Re p + C Im p vanish with some A, B, C. The three are linear in the
 /// coordinates of the point, so that their determinant is a cubic: the cubic of stationary curvature.
 pub fn stationary_cubic<K: Kind>(motion: &Motion<K>) -> Option<Cubic<K>> {
-    let [p, q, r] = [1, 2, 3].map(|j| row(motion, j));
-    let minor = |i: usize, j: usize| q[i].times(&r[j]).minus(&q[j].times(&r[i]));
-    let [m0, m1, m2] = [minor(1, 2), minor(2, 0), minor(0, 1)];
-    p[0].times(&m0)
-        .plus(&p[1].times(&m1))
-        .plus(&p[2].times(&m2))
-        .to_cubic()
+    determinant(&[1, 2, 3].map(|j| row(motion, j))).to_cubic()
 }
 
 /// The centers of those circles: the same cubic of the inverse motion.

@@ -58,6 +58,19 @@ pub fn float(x: f64) -> Value {
     json!(x)
 }
 
+/// All certified numbers become plain floats.
+pub fn into_floats(value: &mut Value) {
+    if let Some(number) = as_float(value) {
+        *value = float(number);
+        return;
+    }
+    match value {
+        Value::Array(members) => members.iter_mut().for_each(into_floats),
+        Value::Object(fields) => fields.values_mut().for_each(into_floats),
+        _ => {}
+    }
+}
+
 /// The float next to a number that went out; `None` for anything else.
 pub fn as_float(value: &Value) -> Option<f64> {
     let fields = value.as_object()?;

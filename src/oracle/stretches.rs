@@ -51,7 +51,7 @@ pub fn extend(answer: &mut Map<String, Value>, given: &Given, wished: &Wished, r
         *new = format!("{before}, {new}");
     }
     if request.arithmetic == Arithmetic::Float {
-        fields.values_mut().for_each(to_floats);
+        fields.values_mut().for_each(output::into_floats);
     }
     answer.extend(fields);
 }
@@ -85,17 +85,4 @@ fn shown(stretch: &Stretch, pencils: &CongruentPencils, attempt: &mut Attempt) -
 
 fn point(attempt: &mut Attempt, name: &str, point: &ProjectivePoint<Ball>) -> Value {
     attempt.point(name, point)
-}
-
-/// All numbers as floats.
-fn to_floats(value: &mut Value) {
-    if let Some(number) = output::as_float(value) {
-        *value = output::float(number);
-        return;
-    }
-    match value {
-        Value::Array(list) => list.iter_mut().for_each(to_floats),
-        Value::Object(fields) => fields.values_mut().for_each(to_floats),
-        _ => {}
-    }
 }

@@ -17,6 +17,14 @@ fn start(order: usize, part: usize) -> usize {
     (part + 1..=order).map(|n| n + 1).sum()
 }
 
+/// The determinant of three rows.
+pub fn determinant<K: Kind>([p, q, r]: &[[Polynomial<K>; 3]; 3]) -> Polynomial<K> {
+    let minor = |i: usize, j: usize| q[i].times(&r[j]).minus(&q[j].times(&r[i]));
+    let [m0, m1, m2] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let sum = p[0].times(&m0).plus(&p[1].times(&m1));
+    sum.plus(&p[2].times(&m2))
+}
+
 impl<K: Kind> From<&Cubic<K>> for Polynomial<K> {
     fn from(cubic: &Cubic<K>) -> Self {
         Polynomial {

@@ -4,7 +4,7 @@
 use crate::number::Kind;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::displacement::Displacement;
-use crate::plane::polynomial::Polynomial;
+use crate::plane::polynomial::{Polynomial, determinant};
 
 /// The circlepoint curve, in the moving plane.
 ///
@@ -18,13 +18,7 @@ use crate::plane::polynomial::Polynomial;
 /// vanishes, each of which is linear in the coordinates of z.
 pub fn circlepoint_cubic<K: Kind>(positions: &[Displacement<K>; 4]) -> Option<Cubic<K>> {
     let [first, rest @ ..] = positions;
-    let [p, q, r] = rest.each_ref().map(|position| row(first, position));
-    let minor = |i: usize, j: usize| q[i].times(&r[j]).minus(&q[j].times(&r[i]));
-    let [m0, m1, m2] = [minor(1, 2), minor(2, 0), minor(0, 1)];
-    p[0].times(&m0)
-        .plus(&p[1].times(&m1))
-        .plus(&p[2].times(&m2))
-        .to_cubic()
+    determinant(&rest.each_ref().map(|position| row(first, position))).to_cubic()
 }
 
 /// The centerpoint curve: the circlepoint curve of the inverse motion.

@@ -4,8 +4,8 @@
 use serde_json::{Map, Value, json};
 
 use super::found::Found;
+use super::undecided;
 use super::writer::Writer;
-use super::{into_floats, undecided};
 use crate::curvature::canonical::{Canonical, Invariants, fixed_polode, moving_polode};
 use crate::curvature::closure;
 use crate::curvature::contact::{Contact, Guide};
@@ -17,6 +17,7 @@ use crate::curvature::osculation::{
 use crate::finite::five_positions::conics::Pairs;
 use crate::number::{Ball, Exact, Number};
 use crate::oracle::input::Fields;
+use crate::oracle::output::into_floats;
 use crate::oracle::positions::point;
 use crate::oracle::sharpen::{Attempt, sharpen};
 use crate::oracle::{Arithmetic, ProblemError, Request, centerpoint_curve};

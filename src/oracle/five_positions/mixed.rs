@@ -4,12 +4,13 @@ use rug::Rational;
 use serde_json::{Map, Value};
 
 use super::found::Found;
+use super::undecided;
 use super::writer::Writer;
-use super::{into_floats, undecided};
 use crate::curvature::mixed::{Groups, pairs};
 use crate::curvature::motion::{path, turn};
 use crate::number::{Ball, Exact, Kind, Number};
 use crate::oracle::input::{Angle, Fields};
+use crate::oracle::output::into_floats;
 use crate::oracle::sharpen::sharpen;
 use crate::oracle::{Arithmetic, ProblemError, Request};
 use crate::plane::Point;

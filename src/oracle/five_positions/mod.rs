@@ -7,9 +7,10 @@ pub mod mixed;
 mod writer;
 
 use rug::Rational;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
 use super::input::Fields;
+use super::output::into_floats;
 use super::positions::Given;
 use super::sharpen::{Attempt, sharpen};
 use super::wishes::Wishes;
@@ -131,19 +132,6 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
     answer.remove("certificate");
     answer.values_mut().for_each(into_floats);
     answer
-}
-
-/// Certified numbers become plain ones.
-fn into_floats(value: &mut Value) {
-    if let Some(float) = super::output::as_float(value) {
-        *value = json!(float);
-        return;
-    }
-    match value {
-        Value::Array(members) => members.iter_mut().for_each(into_floats),
-        Value::Object(fields) => fields.values_mut().for_each(into_floats),
-        _ => {}
-    }
 }
 
 fn undecided(attempt: &mut Attempt) -> Map<String, Value> {
