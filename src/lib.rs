@@ -143,6 +143,7 @@ pub mod oracle;
 pub mod plane;
 pub mod report;
 pub mod scenes;
+pub mod straight_line;
 pub mod testing;
 
 /// The commands and the code of the README, of which the code is run.

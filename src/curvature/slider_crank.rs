@@ -22,11 +22,25 @@
 //! and b₃ = 3/N with N = k (tan α_a − tan α_d), and B, C have t² + (tan α_a + 3 tan α_d − N) t +
 //! (tan α_d − N)/tan α_a = 0. Everything below is homogeneous in cosines and sines, so that no
 //! tangent has to be finite.
+//!
+//! # A fifth position that is apart
+//!
+//! Let four positions be infinitely near each other, and let the fifth be a turn by θ about the pole
+//! p. That the distance of z from Z is the same in it says, after division by |z||Z|(1 − cos θ) and
+//! with the reciprocals ρ = σ + 1/s on the cubic, for a quartic in (c, s) of which the rays of A and D
+//! are two roots, that the rays of the other two have
+//!
+//!   cos α_a cos α_d t² + κ(1 + k − 2kη) t + cos α_a (cos α_a sin α_d − kκ)/sin α_a = 0
+//!
+//! with κ = sin(α_a − α_d) and η = p_y/|p|². Nothing else of the fifth position enters: the same
+//! points belong to all whose poles lie on one circle, that of diameter 1/η which touches the pole
+//! tangent in the pole. The infinitely near fifth position has η = 1 − 2 tan α_d / N.
 
 use std::cmp::Ordering;
 
 use crate::number::{Complex, Kind, Number, Real};
 use crate::plane::Angle;
+use crate::plane::displacement::Displacement;
 
 /// A number that may be infinite: a quotient whose parts are not both zero.
 #[derive(Clone, Debug)]
@@ -38,7 +52,8 @@ pub struct Quotient<K> {
 }
 
 impl<K: Kind> Quotient<K> {
-    fn new(numerator: Number<K>, denominator: Number<K>) -> Self {
+    /// A quotient of two numbers.
+    pub fn new(numerator: Number<K>, denominator: Number<K>) -> Self {
         Quotient {
             numerator,
             denominator,
@@ -75,6 +90,19 @@ pub enum Alternates<K> {
     Complex([Number<Complex<K>>; 2]),
     /// Whether they are real cannot be told in this arithmetic.
     Undecided,
+}
+
+/// The fifth position beside four that are infinitely near each other, as far as the other two
+/// Burmester points depend on it.
+#[derive(Clone, Debug)]
+pub struct Fifth<K> {
+    /// k sin(α_a − α_d) η, where the pole of the fifth position lies on a circle of diameter 1/η that
+    /// touches the pole tangent in the pole.
+    pub weighted_eta: Number<K>,
+    /// k η.
+    pub k_eta: Number<K>,
+    /// Where on the pole tangent the center is that belongs to the pole, if it belongs to a pair.
+    pub center_of_pole: Quotient<K>,
 }
 
 /// A slider-crank in one position, by the rays of its pins and by k = PO_a / sin α_a; the diameter
@@ -157,14 +185,57 @@ impl<K: Real> SliderCrank<K> {
         Quotient::new(k_sin, denominator)
     }
 
+    /// The infinitely near fifth position.
+    pub fn infinitely_near(&self) -> Fifth<K> {
+        let Symbols {
+            ca,
+            sa,
+            cd,
+            sd,
+            k_sin,
+        } = self.symbols();
+        let k = &self.k;
+        let weighted_eta = k_sin - 2 * &sd * &ca;
+        let k_eta = if cd.is_zero().is_yes() {
+            k + 2
+        } else if ca.is_zero().is_yes() {
+            k.clone()
+        } else {
+            &weighted_eta / (sa * &cd - &sd * ca)
+        };
+        Fifth {
+            weighted_eta,
+            k_eta,
+            center_of_pole: Quotient::new(k.square() * cd, (k - 1) * sd),
+        }
+    }
+
+    /// The fifth position that a displacement e^{iθ} z + f of the coupler gives, f ≠ 0: the pole is
+    /// p = f/(1 − e^{iθ}), and η = −Im(1/p).
+    pub fn apart(&self, displacement: &Displacement<K>) -> Fifth<K> {
+        let shift = &displacement.translation;
+        let eta = eta(displacement);
+        Fifth {
+            weighted_eta: self.symbols().k_sin * &eta,
+            k_eta: &self.k * eta,
+            // |f − Z|² = |Z|² on the pole tangent.
+            center_of_pole: Quotient::new(shift.norm(), 2 * shift.re()),
+        }
+    }
+
     /// The two Burmester points that the linkage itself does not show.
     pub fn alternates(&self) -> Alternates<K> {
+        self.alternates_in(&self.infinitely_near())
+    }
+
+    /// The same with any fifth position.
+    pub fn alternates_in(&self, fifth: &Fifth<K>) -> Alternates<K> {
         let symbols = self.symbols();
         if symbols.cd.is_zero().is_yes() {
-            return self.with_slider_pin_at_inflection_pole(&symbols);
+            return self.with_slider_pin_at_inflection_pole(&symbols, fifth);
         }
         if symbols.ca.is_zero().is_yes() {
-            return self.with_crank_pin_on_pole_normal(&symbols);
+            return self.with_crank_pin_on_pole_normal(fifth);
         }
         let Symbols {
             ca,
@@ -175,7 +246,7 @@ impl<K: Real> SliderCrank<K> {
         } = &symbols;
         // quadratic s² + linear s c + absolute c² = 0 for the direction (c, s) of a ray
         let quadratic = sa * ca * cd;
-        let linear = sa * (sa * cd + 3 * sd * ca - k_sin);
+        let linear = sa * (sa * cd - sd * ca + k_sin - 2 * &fifth.weighted_eta);
         let absolute = ca * (sd * ca - k_sin);
         let discriminant = linear.square() - 4 * &quadratic * absolute;
         let twice = 2 * quadratic;
@@ -191,6 +262,21 @@ impl<K: Real> SliderCrank<K> {
                 sorted(rays.map(|(c, s)| self.pair(c, s, &symbols)))
             }
         }
+    }
+
+    /// The pair on a ray of which it is known that it holds one, and the other one, by the product of
+    /// the tangents of their rays. Neither pin is on the pole normal.
+    pub fn pair_and_other(&self, ray: &Angle<K>) -> [Pair<K>; 2] {
+        let symbols = self.symbols();
+        let Symbols {
+            ca,
+            sa,
+            cd,
+            sd,
+            k_sin,
+        } = &symbols;
+        let (c, s) = (sa * cd * ray.sin(), (sd * ca - k_sin) * ray.cos());
+        [(ray.cos(), ray.sin()), (c, s)].map(|(c, s)| self.pair(c, s, &symbols))
     }
 
     /// The pair on the ray of direction (c, s): 1/PO = σ = (t − tan α_d)/(N s), 1/r = σ + 1/s.
@@ -209,46 +295,56 @@ impl<K: Real> SliderCrank<K> {
         }
     }
 
-    /// α_d = 90°: the cubic is the circle σ = 1/(k s) and the pole normal, on which the condition in
-    /// θ⁴ leaves, beside σ = 0 of D, σ = 1 + 4/k.
-    fn with_slider_pin_at_inflection_pole(&self, symbols: &Symbols<K>) -> Alternates<K> {
-        let k = &self.k;
-        let (c, s) = ((k + 3) * &symbols.sa, -((k + 1) * &symbols.ca));
+    /// α_d = 90°: the cubic is the circle σ = 1/(k s) and the pole normal, on which the fifth position
+    /// leaves, beside σ = 0 of D, σ = 2η − 1.
+    fn with_slider_pin_at_inflection_pole(
+        &self,
+        symbols: &Symbols<K>,
+        fifth: &Fifth<K>,
+    ) -> Alternates<K> {
+        let (k, k_eta) = (&self.k, &fifth.k_eta);
+        let (c, s) = (&symbols.sa * (1 + k - 2 * k_eta), (k + 1) * &symbols.ca);
         let scale = to_upper_half(&c, &s);
         let ray = Angle::from_cos_sin(c * &scale, s * &scale);
         // k sin α/(k + 1), also for k = −1, where the point is on the pole tangent.
         let on_circle = Pair {
-            point: Quotient::new(-(k * &symbols.ca * scale), Number::one()),
+            point: Quotient::new(k * &symbols.ca * scale, Number::one()),
             center: Quotient::new(k * ray.sin(), Number::one()),
             ray,
         };
         let on_normal = Pair {
             ray: Angle::from_cos_sin(Number::zero(), Number::one()),
-            point: Quotient::new(k.clone(), 2 * (k + 2)),
-            center: Quotient::new(k.clone(), k + 4),
+            point: Quotient::new(k.clone(), 2 * k_eta),
+            center: Quotient::new(k.clone(), 2 * k_eta - k),
         };
         sorted([on_circle, on_normal])
     }
 
-    /// α_a = 90°: the cubic is the inflection circle and the pole normal, on which the condition in
-    /// θ⁴ leaves, beside σ = 1/k of A, σ = 1 − 1/k. The fourth point is the pole. Its path has a cusp, and
+    /// α_a = 90°: the cubic is the inflection circle and the pole normal, on which the fifth position
+    /// leaves, beside σ = 1/k of A, σ = 2η − 1 − 1/k. The fourth point is the pole. Its path has a cusp, and
     /// a = iθ²/2 + (a₄ + ib₄)θ⁴/24 keeps to the circle about 3/a₄ on the pole tangent to terms in θ⁴; with
     /// b₄ + 1 = 3(1 − k)/k² from A and a₄ = −(b₄ + 1) tan α_d from D that center is k²/((k − 1) tan α_d). It is the
     /// limit for α_a → 90° as well.
-    fn with_crank_pin_on_pole_normal(&self, symbols: &Symbols<K>) -> Alternates<K> {
-        let k = &self.k;
+    fn with_crank_pin_on_pole_normal(&self, fifth: &Fifth<K>) -> Alternates<K> {
+        let (k, k_eta) = (&self.k, &fifth.k_eta);
         let at_pole = Pair {
             ray: Angle::from_cos_sin(Number::one(), Number::zero()),
             point: Quotient::zero(),
-            center: Quotient::new(k.square() * &symbols.cd, (k - 1) * &symbols.sd),
+            center: fifth.center_of_pole.clone(),
         };
         let on_normal = Pair {
             ray: Angle::from_cos_sin(Number::zero(), Number::one()),
-            point: Quotient::new(k.clone(), 2 * k - 1),
-            center: Quotient::new(k.clone(), k - 1),
+            point: Quotient::new(k.clone(), 2 * k_eta - 1),
+            center: Quotient::new(k.clone(), 2 * k_eta - k - 1),
         };
         sorted([at_pole, on_normal])
     }
+}
+
+/// η of a displacement e^{iθ} z + f with f ≠ 0: Im((e^{iθ} − 1) f̄)/|f|².
+pub fn eta<K: Kind>(displacement: &Displacement<K>) -> Number<K> {
+    let shift = &displacement.translation;
+    ((&displacement.rotation - 1) * shift.conj()).im() / shift.norm()
 }
 
 /// The direction of a ray, modulo π, as an angle in [0°, 180°).

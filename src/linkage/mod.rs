@@ -1,6 +1,7 @@
-//! Linkages from their closure: four-bar, five-bar, focal mechanism, its crank drive, and Hart's
+//! Linkages from their closure: four-bar and its cognates, five-bar, focal mechanism, its crank drive, and Hart's
 //! straight-line mechanism.
 
+pub mod cognates;
 pub mod crank_drive;
 pub mod five_bar;
 pub mod focal_mechanism;

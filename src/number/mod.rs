@@ -17,6 +17,7 @@ pub mod text;
 mod truth;
 pub mod univariate;
 mod wrapper;
+pub mod zeros;
 
 pub use ball::{Ball, BallText};
 pub use complex::Complex;

@@ -1,5 +1,6 @@
 //! Points, lines, curves and turns as they go out.
 
+use std::cmp::Ordering;
 use std::ops::RangeInclusive;
 
 use rug::Rational;
@@ -112,8 +113,17 @@ impl Attempt {
             }
             let [x, y] =
                 [x, y].map(|part| Number(part.ball(self.bits).0.with_precision(self.bits)));
-            let radians = y.atan2(&x);
-            output::enclosure(&(radians * 180 / Number::pi(&self.bits)), self.digits)
+            let scale = 180 / Number::pi(&self.bits);
+            let degrees = y.clone().atan2(&x) * &scale;
+            output::enclosure(&degrees, self.digits).or_else(|| {
+                // Next to 0° or to the cut at 180° the digits are those of a degree.
+                let degrees = if x.sign() == Some(Ordering::Less) {
+                    180 + (-y).atan2(&-x) * scale
+                } else {
+                    degrees
+                };
+                output::enclosure_beside(&degrees, &Rational::from(1), self.digits)
+            })
         });
         let degrees = self.decided(name, degrees);
         json!({"degrees": degrees})

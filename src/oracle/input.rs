@@ -108,6 +108,13 @@ impl<'a> Fields<'a> {
         number(self.get(name)?, &self.path(name))
     }
 
+    /// A list of numbers.
+    pub fn numbers(&self, name: &str) -> Result<Vec<Rational>, ProblemError> {
+        let list = self.list(name)?.iter().enumerate();
+        list.map(|(place, value)| number(value, &format!("{}[{place}]", self.path(name))))
+            .collect()
+    }
+
     /// A list.
     pub fn list(&self, name: &str) -> Result<&'a [Value], ProblemError> {
         match self.get(name)? {

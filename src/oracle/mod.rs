@@ -17,6 +17,7 @@ mod regions;
 pub mod score;
 mod sharpen;
 mod slider_crank_alternates;
+mod straight_line;
 mod stretches;
 mod three_positions;
 pub mod vectors;
@@ -75,7 +76,7 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 9] = [
+pub const PROBLEMS: [&str; 10] = [
     "centerpoint-curve",
     "curvature",
     "five-positions",
@@ -84,6 +85,7 @@ pub const PROBLEMS: [&str; 9] = [
     "mixed-positions",
     "poles",
     "slider-crank-alternates",
+    "straight-line",
     "three-positions",
 ];
 
@@ -124,6 +126,7 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
         "hart" => hart::answer(&fields, request)?,
         "mixed-positions" => five_positions::mixed::answer(&fields, request)?,
         "poles" => poles::answer(&fields, request)?,
+        "straight-line" => straight_line::answer(&fields, request)?,
         "three-positions" => three_positions::answer(&fields, request)?,
         "slider-crank-alternates" => slider_crank_alternates::answer(&fields, request)?,
         unknown => {

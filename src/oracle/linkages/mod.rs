@@ -2,7 +2,7 @@
 
 mod dyad;
 mod facts;
-mod words;
+pub mod words;
 
 use serde_json::{Value, json};
 
