@@ -102,6 +102,39 @@ fn answered(kind: &str, problem: Value) -> Value {
 }
 
 #[test]
+fn straight_line_designs() {
+    let alpha_a = json!({"degrees": "72.5"});
+    for design in [
+        json!({"kind": "ball-burmester", "alpha_a": alpha_a, "alpha_b": {"tan_half": "2"},
+            "alpha_d": {"degrees": "45"}, "alternate": "2,3"}),
+        json!({"kind": "ball-double-burmester", "alpha_a": {"degrees": "65"}, "alpha_b": {"degrees": "165"}}),
+        json!({"kind": "inflection-pole", "k": "-4", "alpha_a": alpha_a}),
+        json!({"kind": "equal-cranks", "k": "-2.5"}),
+        json!({"kind": "equal-cranks", "k": "1"}),
+        json!({"kind": "slider-crank", "k": "0.9", "alpha_a": alpha_a, "alpha_d": {"degrees": "45"}, "s": ["0.1", "9"]}),
+        json!({"kind": "slider-crank", "k": "1", "alpha_a": {"degrees": "50"}, "alpha_d": {"degrees": "50"}}),
+        json!({"kind": "ball-intersection", "k": "0.9", "alpha_a": alpha_a, "alpha_d": {"degrees": "45"}, "s": "0.1"}),
+        json!({"kind": "ball-intersection", "k": "0.9", "alpha_a": alpha_a, "alpha_d": {"degrees": "45"}, "s": "9"}),
+        json!({"kind": "ball-tangent", "k": "0.9", "alpha_a": alpha_a, "s": "0.5", "alpha_d": {"from": "20", "to": "30"}}),
+        json!({"kind": "ball-tangent", "k": "0.9", "alpha_a": alpha_a, "s": "9"}),
+        json!({"kind": "symmetrical", "k": "0.9", "alpha_a": alpha_a, "epsilon": {"degrees": "50"}}),
+        json!({"kind": "symmetrical", "k": "0.9", "alpha_a": alpha_a, "epsilon": {"degrees": "0"}}),
+        json!({"kind": "two-inflections", "k": "0.9", "alpha_a": alpha_a}),
+        json!({"kind": "watt", "R": "1", "T": "2", "gamma": {"degrees": "40"}, "n": "1", "k": "0"}),
+        json!({"kind": "watt", "R": "1", "T": "2", "gamma": {"degrees": "0"}, "n": -1, "k": "0"}),
+        json!({"kind": "evans", "alpha": {"degrees": "90"}, "beta": {"degrees": "0"}, "omega": {"degrees": "20"},
+            "rho": "0.2", "k": "9"}),
+        json!({"kind": "conchoid", "r": "0.4", "alpha": {"degrees": "20"}, "k": "5", "n": "-1"}),
+        json!({"kind": "symmetric", "a": "-2", "c": "0", "d": "4"}),
+    ] {
+        answered(
+            "straight-line",
+            json!({"problem": "straight-line", "design": design}),
+        );
+    }
+}
+
+#[test]
 fn focal_mechanisms() {
     for (sides, rho, count) in [
         (["5", "5", "2", "4"], "1", 2),

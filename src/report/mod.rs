@@ -13,6 +13,7 @@ mod linkage_panels;
 mod mixed_positions;
 mod poles;
 mod slider_crank;
+mod straight_line;
 mod stretches;
 mod three_positions;
 
@@ -30,6 +31,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         "mixed-positions" => mixed_positions::picture(problem, answer),
         "poles" => poles::picture(problem, answer),
         "slider-crank-alternates" => slider_crank::picture(problem, answer),
+        "straight-line" => straight_line::picture(answer),
         "three-positions" => three_positions::picture(problem, answer),
         _ => None,
     }

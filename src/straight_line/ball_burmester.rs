@@ -82,18 +82,16 @@ pub fn of_rays<K: Real>(
     if apart.is_zero().is_yes() {
         return Err(NoDesign::Rays("A and D are on one ray"));
     }
-    let (is_normal_d, is_normal_b) = (cd.is_zero().is_yes(), cb.is_zero().is_yes());
-    if is_normal_d && is_normal_b {
-        return Err(NoDesign::Rays(
-            "B and D are both on the pole normal: any k will do",
-        ));
-    }
     let weighted = &sa * &ca * &cd * sb.square()
         + &sa * (&sa * &cd + 3 * &sd * &ca) * &sb * &cb
         + ca.square() * &sd * cb.square();
     let weight = &cb * (&sa * &sb + &ca * &cb);
     if weight.is_zero().is_yes() {
-        return Err(NoDesign::PivotAtInfinity("A"));
+        return Err(if weighted.is_zero().is_yes() {
+            NoDesign::Rays("these rays leave k open: any will do")
+        } else {
+            NoDesign::PivotAtInfinity("A")
+        });
     }
     let k = weighted / weight / apart;
     let linkage = SliderCrank {
@@ -101,7 +99,7 @@ pub fn of_rays<K: Real>(
         alpha_a: alpha_a.clone(),
         alpha_d: alpha_d.clone(),
     };
-    if is_normal_d {
+    if cd.is_zero().is_yes() {
         let cranks = of_slider_crank(&linkage, &linkage.infinitely_near())?;
         return Ok(cranks.with_second_off_the_normal());
     }

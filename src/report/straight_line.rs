@@ -1,0 +1,132 @@
+//! A straight-line linkage in its design position, with the whole path of its point.
+
+use std::f64::consts::TAU;
+
+use serde_json::Value;
+
+use super::canvas::{Canvas, Joint, Point, Stroke, spread};
+use super::complex::{Z, point, z};
+use super::{finite_point, number};
+use crate::linkage::four_bar::third_corners;
+use crate::plane::relation::distance_squared;
+
+/// Steps of a full turn of the crank.
+const STEPS: u32 = 1440;
+
+/// The joints.
+struct Linkage {
+    o_a: Z,
+    a: Z,
+    b: Z,
+    o_b: Z,
+    d: Z,
+}
+
+/// The picture of the first linkage of the answer; `None` where there is none.
+pub fn picture(answer: &Value) -> Option<String> {
+    let linkages: Vec<&Value> = answer["solutions"]
+        .as_array()?
+        .iter()
+        .filter_map(|solution| solution["linkages"].as_array())
+        .flatten()
+        .filter(|linkage| linkage.get("none").is_none())
+        .collect();
+    let shown = linkages.first()?;
+    let linkage = Linkage::read(shown)?;
+    let mut canvas = Canvas::new(
+        "A straight-line linkage",
+        "The four-bar O_aABO_b with the point D of its coupler in the design position, the whole path \
+         of D, and the line that it keeps to.",
+    );
+    let joints = linkage.joints();
+    for branch in linkage.path() {
+        canvas.line(branch, Stroke::MainPath);
+    }
+    let direction = finite_point(&shown["direction"])?;
+    let size = spread(&joints);
+    let along = |sign: f64| {
+        let [x, y] = point(&linkage.d);
+        let [u, v] = direction.map(|part| part * sign * size / direction[0].hypot(direction[1]));
+        [x + u, y + v]
+    };
+    canvas.line([along(-1.0), along(1.0)], Stroke::Guide);
+    let [o_a, a, b, o_b, d] = joints;
+    canvas.line([o_a, o_b], Stroke::Base);
+    canvas.line([o_a, a], Stroke::Crank);
+    canvas.line([o_b, b], Stroke::Crank);
+    canvas.line([a, b, d, a], Stroke::Bar);
+    for (at, joint, name) in [
+        (o_a, Joint::Fixed, "Oa"),
+        (o_b, Joint::Fixed, "Ob"),
+        (a, Joint::Moving, "A"),
+        (b, Joint::Moving, "B"),
+        (d, Joint::Moving, "D"),
+    ] {
+        canvas.joint(at, joint, name);
+    }
+    let places = shown["places"].as_array();
+    let met = places
+        .into_iter()
+        .flatten()
+        .filter(|place| place.get("contact").is_some());
+    for (number, place) in met.enumerate() {
+        if let Some(at) = finite_point(&place["D"]) {
+            canvas.joint(at, Joint::Mark, &format!("D{}", number + 2));
+        }
+    }
+    canvas.explain(Stroke::MainPath, "path of D");
+    canvas.explain(Stroke::Guide, "the line that it keeps to");
+    canvas.explain(Stroke::Crank, "cranks");
+    if let Some(order) = shown["contact"]["order"].as_u64() {
+        let points = order + 1;
+        canvas.remark(&match order {
+            0 => "D crosses the line in the design position".to_owned(),
+            _ => format!("in D the path has {points} infinitely near points on the line"),
+        });
+    }
+    if linkages.len() > 1 {
+        let others = linkages.len() - 1;
+        canvas.remark(&format!(
+            "the first of the linkages of the answer; it has {others} more"
+        ));
+    }
+    Some(canvas.to_svg())
+}
+
+impl Linkage {
+    fn read(linkage: &Value) -> Option<Self> {
+        let at = |name: &str| finite_point(&linkage[name]).map(|[x, y]| z(x, y));
+        number(&linkage["Q"])?;
+        Some(Linkage {
+            o_a: at("O_a")?,
+            a: at("A")?,
+            b: at("B")?,
+            o_b: at("O_b")?,
+            d: at("D")?,
+        })
+    }
+
+    fn joints(&self) -> [Point; 5] {
+        [&self.o_a, &self.a, &self.b, &self.o_b, &self.d].map(point)
+    }
+
+    /// The path of D, with B to the left and to the right of the line from A to O_b.
+    fn path(&self) -> [Vec<Point>; 2] {
+        let crank = &self.a - &self.o_a;
+        let shape = (&self.d - &self.a) / (&self.b - &self.a);
+        let [rod, rocker] = [
+            distance_squared(&self.a, &self.b),
+            distance_squared(&self.b, &self.o_b),
+        ];
+        let at = |step: u32| -> [Point; 2] {
+            let (sin, cos) = (TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+            let a = &self.o_a + &crank * z(cos, sin);
+            match third_corners(&a, &self.o_b, &rod, &rocker) {
+                Some(corners) => corners.map(|b| point(&(&a + &shape * (b - &a)))),
+                None => [[f64::NAN; 2]; 2],
+            }
+        };
+        let places: Vec<[Point; 2]> = (0..=STEPS).map(at).collect();
+        [0, 1].map(|side: usize| places.iter().map(|both| both[side]).collect())
+    }
+}
