@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, Joint, Point, Stroke, spread};
+use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::{Z, point, z};
 use super::{finite_point, number};
 use crate::linkage::four_bar::third_corners;
@@ -43,7 +43,22 @@ pub fn picture(answer: &Value) -> Option<String> {
         canvas.line(branch, Stroke::MainPath);
     }
     let direction = finite_point(&shown["direction"])?;
-    let size = spread(&joints);
+    let [.., end] = joints;
+    let met: Vec<Point> = shown["places"]
+        .as_array()
+        .into_iter()
+        .flatten()
+        .filter(|place| place.get("contact").is_some())
+        .filter_map(|place| finite_point(&place["D"]))
+        .collect();
+    let far = met
+        .iter()
+        .map(|[x, y]| [2.2 * x - 1.2 * end[0], 2.2 * y - 1.2 * end[1]]);
+    let size = joints
+        .into_iter()
+        .chain(far)
+        .map(|[x, y]| (x - end[0]).hypot(y - end[1]) / 2.0)
+        .fold(0.0, f64::max);
     let along = |sign: f64| {
         let [x, y] = point(&linkage.d);
         let [u, v] = direction.map(|part| part * sign * size / direction[0].hypot(direction[1]));
@@ -64,15 +79,8 @@ pub fn picture(answer: &Value) -> Option<String> {
     ] {
         canvas.joint(at, joint, name);
     }
-    let places = shown["places"].as_array();
-    let met = places
-        .into_iter()
-        .flatten()
-        .filter(|place| place.get("contact").is_some());
-    for (number, place) in met.enumerate() {
-        if let Some(at) = finite_point(&place["D"]) {
-            canvas.joint(at, Joint::Mark, &format!("D{}", number + 2));
-        }
+    for (number, at) in met.into_iter().enumerate() {
+        canvas.joint(at, Joint::Mark, &format!("D{}", number + 2));
     }
     canvas.explain(Stroke::MainPath, "path of D");
     canvas.explain(Stroke::Guide, "the line that it keeps to");
@@ -118,15 +126,45 @@ impl Linkage {
             distance_squared(&self.a, &self.b),
             distance_squared(&self.b, &self.o_b),
         ];
-        let at = |step: u32| -> [Point; 2] {
-            let (sin, cos) = (TAU * f64::from(step) / f64::from(STEPS)).sin_cos();
+        let at = |angle: f64| -> Option<[Point; 2]> {
+            let (sin, cos) = angle.sin_cos();
             let a = &self.o_a + &crank * z(cos, sin);
-            match third_corners(&a, &self.o_b, &rod, &rocker) {
-                Some(corners) => corners.map(|b| point(&(&a + &shape * (b - &a)))),
-                None => [[f64::NAN; 2]; 2],
-            }
+            let corners = third_corners(&a, &self.o_b, &rod, &rocker)?;
+            let places = corners.map(|b| point(&(&a + &shape * (b - &a))));
+            places
+                .as_flattened()
+                .iter()
+                .all(|x| x.is_finite())
+                .then_some(places)
         };
-        let places: Vec<[Point; 2]> = (0..=STEPS).map(at).collect();
+        let angle = |step: u32| TAU * f64::from(step) / f64::from(STEPS);
+        let mut angles = vec![0.0];
+        for step in 0..STEPS {
+            let (from, to) = (angle(step), angle(step + 1));
+            if at(from).is_some() != at(to).is_some() {
+                angles.push(limit(|angle| at(angle).is_some(), from, to));
+            }
+            angles.push(to);
+        }
+        let gap = [[f64::NAN; 2]; 2];
+        let places: Vec<[Point; 2]> = angles
+            .iter()
+            .map(|&angle| at(angle).unwrap_or(gap))
+            .collect();
         [0, 1].map(|side: usize| places.iter().map(|both| both[side]).collect())
     }
+}
+
+/// The last angle at which the linkage closes, between one at which it does and one at which not.
+fn limit(closes: impl Fn(f64) -> bool, from: f64, to: f64) -> f64 {
+    let (mut inside, mut outside) = if closes(from) { (from, to) } else { (to, from) };
+    for _ in 0..50 {
+        let middle = (inside + outside) / 2.0;
+        if closes(middle) {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    inside
 }
