@@ -65,6 +65,8 @@ fn true_answers_are_accepted() {
         "near-degenerate-four-positions",
         "by-two-points",
         "in-degrees",
+        "mixed-positions",
+        "curvature",
     ] {
         let count = accepted.get(name).copied().unwrap_or_default();
         assert!(count > 0, "{name}: {accepted:?}");
@@ -180,21 +182,47 @@ fn damaged_pairs(answer: &Value, way: u32, random: &mut ChaCha8Rng) -> Option<Va
             answer["counts"]["real"] = json!(answer["counts"]["real"].as_u64()? + 1);
             true
         }
+        9 => {
+            // More digits than there are.
+            let number = number_of_pair(&mut answer, random)?;
+            let has_radius = number.get("radius").is_some();
+            number["radius"] = json!("1e-300");
+            has_radius
+        }
+        10 if real > 0 => {
+            let pair = &mut answer["pairs"][random.random_range(0..real)];
+            let center = pair["center"].take();
+            pair["center"] = pair["circlepoint"].take();
+            pair["circlepoint"] = center;
+            true
+        }
         _ => false,
     };
     changed.then_some(answer)
 }
 
+/// How many ways there are.
+const WAYS_OF_PAIRS: u32 = 11;
+
 #[test]
 fn damaged_answers_are_rejected() {
-    let mut random = seed::generator("damaged_answers_are_rejected");
-    let names = [
+    assert_damaged_pairs_are_rejected(&[
         "random-five-positions",
         "five-positions-of-linkages",
         "near-degenerate-five-positions",
         "degenerate-five-positions",
         "sliders",
-    ];
+    ]);
+}
+
+#[test]
+fn damaged_pairs_of_positions_that_came_together_are_rejected() {
+    assert_damaged_pairs_are_rejected(&["mixed-positions"]);
+    assert_damaged_pairs_are_rejected(&["curvature"]);
+}
+
+fn assert_damaged_pairs_are_rejected(names: &[&str]) {
+    let mut random = seed::generator(names[0]);
     let all: Vec<Entry> = names
         .iter()
         .flat_map(|name| entries(Corpus::named(name).unwrap()))
@@ -209,7 +237,7 @@ fn damaged_answers_are_rejected() {
     let mut tried: BTreeMap<u32, usize> = BTreeMap::new();
     while tried.values().sum::<usize>() < 500 {
         let Entry { problem, answer } = &all[random.random_range(0..all.len())];
-        let way = random.random_range(0..9);
+        let way = random.random_range(0..WAYS_OF_PAIRS);
         let Some(damaged) = damaged_pairs(&answer["answer"], way, &mut random) else {
             continue;
         };
@@ -224,27 +252,35 @@ fn damaged_answers_are_rejected() {
         );
         *tried.entry(way).or_default() += 1;
     }
-    assert_eq!(tried.len(), 9, "{tried:?}");
+    assert_eq!(tried.len(), WAYS_OF_PAIRS as usize, "{tried:?}");
 }
 
 /// Answers of these corpora that are proven, damaged in every way, must all be found wrong.
 fn assert_damages_are_rejected(names: &[&str], least: usize) {
-    let mut random = seed::generator(names[0]);
     let all: Vec<Entry> = names
         .iter()
         .flat_map(|name| entries(Corpus::named(name).unwrap()))
         .collect();
+    let all = all
+        .into_iter()
+        .map(|Entry { problem, answer }| (problem, answer["answer"].clone()));
+    let proven = assert_all_damages_are_rejected(names, &all.collect::<Vec<_>>(), least);
+    assert!(proven >= 20, "{names:?}: only {proven} proven");
+}
+
+/// The same of problems with their answers; how many of those that were tried are proven.
+fn assert_all_damages_are_rejected(names: &[&str], all: &[(Value, Value)], least: usize) -> usize {
+    let mut random = seed::generator(names[0]);
     let words: BTreeSet<(String, String)> = all
         .iter()
-        .flat_map(|entry| damage::words(&entry.answer["answer"]))
+        .flat_map(|(_, answer)| damage::words(answer))
         .collect();
     let mut proven: BTreeMap<usize, bool> = BTreeMap::new();
     let mut tried: BTreeMap<damage::Way, usize> = BTreeMap::new();
     let mut accepted = Vec::new();
     while tried.values().sum::<usize>() < least {
         let place = random.random_range(0..all.len());
-        let Entry { problem, answer } = &all[place];
-        let answer = &answer["answer"];
+        let (problem, answer) = &all[place];
         if !*proven
             .entry(place)
             .or_insert_with(|| check_answer(problem, answer).is_ok())
@@ -258,7 +294,7 @@ fn assert_damages_are_rejected(names: &[&str], least: usize) {
         *tried.entry(way).or_default() += 1;
         let verdict = check_answer(problem, &damaged);
         if !matches!(verdict, Err(Defect::Wrong { .. })) {
-            accepted.push(format!("{} {way:?}: {verdict:?}", problem["id"]));
+            accepted.push(format!("{problem} {way:?}: {verdict:?} {damaged}"));
         }
     }
     eprintln!("{names:?}: {tried:?}");
@@ -268,8 +304,64 @@ fn assert_damages_are_rejected(names: &[&str], least: usize) {
         accepted.len(),
         accepted.join("\n")
     );
-    let proven = proven.values().filter(|proven| **proven).count();
-    assert!(proven >= 20, "{names:?}: only {proven} proven");
+    proven.values().filter(|proven| **proven).count()
+}
+
+/// Positions that came together in ways that the corpora leave out.
+fn rare_positions() -> Vec<Value> {
+    let invariants = |third: [&str; 2], fourth: [&str; 2]| {
+        json!({
+            "problem": "curvature", "invariants": {"third": third, "fourth": fourth},
+            "points": [[0, 0], [0, 1], [3, "1/2"]],
+        })
+    };
+    let crank = json!({"circlepoint": [1, 2], "center": [0, 0]});
+    let linkage = |other: Value| {
+        json!({
+            "problem": "curvature", "links": [crank, other],
+            "points": [[1, 2], [4, 0], [2, 5], ["-1/3", 7]],
+        })
+    };
+    let turning = |angle: Value| {
+        json!({
+            "x": 1, "y": "2/3", "angle": angle,
+            "derivatives": [{"x": 2, "y": -1, "angle": 1}, {"x": 0, "y": 3, "angle": "1/2"}],
+        })
+    };
+    let shifted = json!({"x": -2, "y": 5, "angle": {"tan_half": "2/3"}});
+    let third = json!({"x": 4, "y": 1, "angle": {"tan_half": "-1/5"}});
+    let mixed =
+        |first: Value| json!({"problem": "mixed-positions", "positions": [first, shifted, third]});
+    vec![
+        // Four simple pairs; two equal ones; one in the pole; Ball's point one of them, or two.
+        invariants(["2", "5"], ["-3", "7"]),
+        invariants(["1", "0"], ["5", "-61/12"]),
+        invariants(["0", "0"], ["6", "2"]),
+        invariants(["2", "5"], ["16/5", "7"]),
+        linkage(json!({"circlepoint": [4, 0], "center": [5, -3]})),
+        linkage(json!({"circlepoint": [4, 0], "center": {"at_infinity": [0, 1]}})),
+        linkage(json!({"circlepoint": {"at_infinity": [1, 3]}, "center": [5, -3]})),
+        linkage(json!({"circlepoint": [4, 3], "center": [6, 7]})),
+        mixed(turning(json!({"tan_half": "1/3"}))),
+        mixed(turning(json!({"degrees": "30"}))),
+        mixed(turning(json!({"radians": "1.5"}))),
+    ]
+}
+
+#[test]
+fn damaged_answers_to_rare_positions_are_rejected() {
+    let request = Request {
+        digits: 20,
+        ..Request::default()
+    };
+    let all = rare_positions().into_iter().map(|problem| {
+        let answer = solve(&problem, &request).unwrap();
+        let verdict = check_answer(&problem, &answer);
+        assert!(verdict.is_ok(), "{problem}: {verdict:?} {answer}");
+        (problem, answer)
+    });
+    let all: Vec<(Value, Value)> = all.collect();
+    assert_all_damages_are_rejected(&["rare positions"], &all, 600);
 }
 
 #[test]
@@ -285,6 +377,16 @@ fn damaged_focal_mechanisms_are_rejected() {
 #[test]
 fn damaged_alternates_of_slider_cranks_are_rejected() {
     assert_damages_are_rejected(&["slider-cranks"], 300);
+}
+
+#[test]
+fn damaged_mixed_positions_are_rejected() {
+    assert_damages_are_rejected(&["mixed-positions"], 500);
+}
+
+#[test]
+fn damaged_answers_to_one_position_are_rejected() {
+    assert_damages_are_rejected(&["curvature"], 1000);
 }
 
 #[test]

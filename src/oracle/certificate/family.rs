@@ -1,110 +1,109 @@
 //! Whether a family is what five positions have in common.
 //!
-//! On a line the five circlepoint curves, found from the loop closure, are polynomials in one variable;
-//! their greatest common divisor must be what the family's curve is there.
+//! Every three of the conditions have a center in common for the circlepoints of a curve. On a line these
+//! curves are polynomials in one variable; their greatest common divisor must be what the family's curve
+//! is there.
 
 use rug::Rational;
 use serde_json::Value;
 
+use super::conditions::Form;
+use super::elimination::{determinant, row};
 use super::{Defect, require};
-use crate::finite::four_positions::loop_closure::centerpoint_cubic;
+use crate::number::linear::rank;
 use crate::number::text::parse_rational;
 use crate::number::univariate::Polynomial;
 use crate::number::{Exact, Number};
-use crate::plane::displacement::Displacement;
-use crate::plane::{Point, relation};
 
-type Five = [Displacement<Exact>; 5];
+type Forms = [Form<Exact>; 4];
 type Poly = Polynomial<Exact>;
+
+/// Every three of four.
+const TRIPLES: [[usize; 3]; 4] = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]];
 
 /// The lines x = start + slope · t, y = t on which curves are compared.
 const LINES: [[i64; 2]; 5] = [[3, 1], [-7, 2], [11, -3], [2, 5], [-13, -2]];
 
 /// Whether four of the positions are translations on no circle and no line: then not even these have a
 /// pair.
-pub fn has_no_pair(positions: &Five) -> bool {
-    (0..positions.len()).any(|left_out| {
-        let kept = positions.iter().enumerate();
-        let kept = kept.filter(|(place, _)| *place != left_out);
-        let four: Vec<&Displacement<Exact>> = kept.map(|(_, one)| one).collect();
-        are_free_translations(&four)
-    })
+pub fn has_no_pair(forms: &Forms) -> bool {
+    let [first, second, third, fourth] = forms;
+    let to_first = TRIPLES.map(|triple| triple.map(|i| forms[i].clone()));
+    let without_first = [second, third, fourth].map(|form| form.minus(first));
+    let mut triples = to_first.iter().chain([&without_first]);
+    triples.any(|triple| are_free_translations(triple).unwrap_or(false))
 }
 
-fn are_free_translations(positions: &[&Displacement<Exact>]) -> bool {
-    let parallel = positions.windows(2).all(|two| {
-        let [a, b] = [&two[0].rotation, &two[1].rotation];
-        a.equals(b).is_yes()
-    });
-    let places: Vec<Point<Exact>> = positions
-        .iter()
-        .map(|one| one.translation.clone())
-        .collect();
-    parallel && relation::collinear(&places).is_no() && relation::concyclic(&places).is_no()
+/// Whether three conditions say 0 = 1: neither circlepoint nor center stand in a sum of them.
+fn are_free_translations(triple: &[Form<Exact>; 3]) -> Option<bool> {
+    let parallel = triple.iter().all(Form::is_of_translation);
+    let rows: Vec<[Number<Exact>; 5]> = triple.iter().map(Form::linear).collect();
+    let columns = |from: usize, to: usize| -> Option<Vec<Vec<Number<Exact>>>> {
+        let part = rows.iter().map(|row| Some(row.get(from..to)?.to_vec()));
+        part.collect()
+    };
+    // 1; x, y; X, Y.
+    let free = rank(&columns(1, 5)?, 4)? == 2
+        && rank(&columns(3, 5)?, 2)? == 2
+        && rank(&columns(0, 5)?, 5)? == 3;
+    Some(parallel && free)
 }
 
 /// Checks the kind and the curve of a family.
-pub fn check(positions: &Five, family: &Value) -> Result<(), Defect> {
-    let inverse = positions.each_ref().map(Displacement::inverse);
-    // The centers of a motion are the circlepoints of its inverse.
+pub fn check(forms: &Forms, family: &Value) -> Result<(), Defect> {
+    // The centers are the circlepoints of the inverse motion.
+    let exchanged = forms.each_ref().map(Form::exchanged);
     match family["kind"].as_str() {
-        Some("plane") => plane(positions, family),
-        Some("circlepoint-cubic") => curve(&inverse, &family["coefficients"], 10),
-        Some("circle") => curve(&inverse, &family["coefficients"], 6),
-        Some("line") => curve(&inverse, &family["coefficients"], 3),
-        Some("centers") => any_curve(positions, &family["coefficients"]),
+        Some("plane") => plane(forms, family),
+        Some("circlepoint-cubic") => curve(forms, &family["coefficients"], 10),
+        Some("circle" | "conic") => curve(forms, &family["coefficients"], 6),
+        Some("line") => curve(forms, &family["coefficients"], 3),
+        Some("centers") => any_curve(&exchanged, &family["coefficients"]),
         Some("point-with-any-center") => {
-            any_curve(positions, &family["centers"])?;
-            resting(positions, &family["circlepoint"])
+            any_curve(&exchanged, &family["centers"])?;
+            resting(forms, &family["circlepoint"])
         }
         _ => Err(Defect::wrong("family", "an unknown kind")),
     }
 }
 
-/// The curves of the centers of every four of the positions.
-fn cubics(positions: &Five) -> Option<Vec<Vec<Number<Exact>>>> {
-    (0..positions.len())
-        .map(|left_out| {
-            let kept = positions.iter().enumerate();
-            let kept = kept.filter(|(place, _)| *place != left_out);
-            let four: Vec<Displacement<Exact>> = kept.map(|(_, one)| one.clone()).collect();
-            let cubic = centerpoint_cubic(four.first_chunk()?)?;
-            Some(cubic.coefficients().to_vec())
-        })
-        .collect()
+/// On x = start + slope · t, y = t, the curves of every three conditions.
+fn curves(forms: &Forms, [start, slope]: [i64; 2]) -> [Poly; 4] {
+    let foot = [Number::from(start), Number::zero()];
+    let rows = forms.each_ref().map(|form| row(form, &foot, [slope, 1]));
+    TRIPLES.map(|[i, j, k]| determinant(&rows[i], &rows[j], &rows[k]))
 }
 
-fn all_cubics(positions: &Five) -> Result<Vec<Vec<Number<Exact>>>, Defect> {
-    cubics(positions).ok_or_else(|| Defect::unchecked("no second route to this family"))
-}
-
-fn is_zero(cubic: &[Number<Exact>]) -> bool {
-    cubic.iter().all(|c| c.is_zero().is_yes())
-}
-
-fn plane(positions: &Five, family: &Value) -> Result<(), Defect> {
+fn plane(forms: &Forms, family: &Value) -> Result<(), Defect> {
     if family.get("center").is_some() {
-        let places: [Point<Exact>; 5] = positions.each_ref().map(|one| one.translation.clone());
+        let along_a_line = forms.iter().all(Form::is_of_translation)
+            && rank(
+                &forms
+                    .each_ref()
+                    .map(|form| form.linear().get(3..).unwrap_or_default().to_vec()),
+                2,
+            ) == Some(1);
         return require(
-            relation::collinear(&places).is_yes(),
+            along_a_line,
             "family",
             "these translations are not along a line",
         );
     }
-    let cubics = all_cubics(positions)?;
+    // A cubic has no more than three of the lines.
+    let mut all = LINES.iter().flat_map(|line| curves(forms, *line));
     require(
-        cubics.iter().all(|cubic| is_zero(cubic)),
+        all.all(|curve| curve.is_zero()),
         "family",
         "not every point has a center",
     )
 }
 
-fn any_curve(positions: &Five, coefficients: &Value) -> Result<(), Defect> {
+fn any_curve(forms: &Forms, coefficients: &Value) -> Result<(), Defect> {
     let count = coefficients.as_array().map_or(0, Vec::len);
-    curve(positions, coefficients, count)
+    curve(forms, coefficients, count)
 }
 
-fn curve(positions: &Five, coefficients: &Value, count: usize) -> Result<(), Defect> {
+fn curve(forms: &Forms, coefficients: &Value, count: usize) -> Result<(), Defect> {
     let place = "family.coefficients";
     let wrong = |message: &str| Defect::wrong(place, message);
     let list = coefficients
@@ -124,18 +123,16 @@ fn curve(positions: &Five, coefficients: &Value, count: usize) -> Result<(), Def
     if numbers.len() != count {
         return Err(wrong("another number of coefficients belongs to this kind"));
     }
-    let cubics = all_cubics(positions)?;
     let mut same = 0;
     for line in LINES {
         let own = on_line(&numbers, order, line);
         let mut common = Poly::zero();
-        for cubic in &cubics {
-            let cubic = on_line(cubic, 3, line);
+        for cubic in curves(forms, line) {
             common = common.gcd(&cubic).ok_or_else(|| wrong("no common part"))?;
         }
         let rest = common.divide(&own).map(|(_, rest)| rest.is_zero());
         if rest != Some(true) {
-            return Err(wrong("it is no part of all five curves"));
+            return Err(wrong("it is no part of all curves"));
         }
         same += usize::from(common.degree() == own.degree());
     }
@@ -155,21 +152,19 @@ fn on_line(coefficients: &[Number<Exact>], order: u32, [start, slope]: [i64; 2])
     })
 }
 
-/// Whether a point has two places at most.
-fn resting(positions: &Five, point: &Value) -> Result<(), Defect> {
+/// Whether the conditions leave more than one center to a point.
+fn resting(forms: &Forms, point: &Value) -> Result<(), Defect> {
     let number =
         |value: &Value| -> Option<Rational> { parse_rational(value.get("exact")?.as_str()?).ok() };
     let exact = number(&point[0]).zip(number(&point[1]));
     let (x, y) = exact.ok_or_else(|| Defect::unchecked("a point that is not rational"))?;
-    let z: Point<Exact> = Number::complex(x.into(), y.into());
-    let mut places: Vec<Point<Exact>> = Vec::new();
-    for place in positions.iter().map(|position| position.of(&z)) {
-        if !places.iter().any(|other| other.equals(&place).is_yes()) {
-            places.push(place);
-        }
-    }
+    let point = [Number::from(x), Number::from(y)];
+    let values = forms.each_ref().map(|form| {
+        let row = row(form, &point, [0, 0]);
+        row.map(|part| part.coefficient(0)).to_vec()
+    });
     require(
-        places.len() <= 2,
+        rank(&values, 3).is_some_and(|rank| rank < 2),
         "family.circlepoint",
         "it has more than two places",
     )

@@ -1,11 +1,17 @@
 //! True numbers: sums of square roots where positions are exact, else enclosures.
 
-use crate::number::{Ball, Number, Real, Surd, Truth};
+use crate::number::{Ball, Exact, Number, Real, Surd, Truth};
 
 /// A kind that truths are computed in.
 pub trait Known: Real {
     /// An enclosure, of so many bits where the number is exact.
     fn enclosed(number: &Number<Self>, bits: u32) -> Number<Ball>;
+}
+
+impl Known for Exact {
+    fn enclosed(number: &Number<Self>, _: u32) -> Number<Ball> {
+        number.in_kind()
+    }
 }
 
 impl Known for Surd {

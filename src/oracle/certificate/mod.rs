@@ -8,6 +8,11 @@
 //!   multiplicities), counts, order, pairs at infinity, eliminant, family, what is left beside the known
 //!   pairs; of every linkage with at most one joint at infinity type, cranks, circuit, branch, order and
 //!   transmission angle. Not estimates of conditioning, nor `defects`, which are words for the same.
+//! - `mixed-positions`: the same, where what a squared distance has of t, t², … takes the place of the
+//!   positions that came together.
+//! - `curvature`: the pairs likewise; pole, inflection circle, invariants, Ball's point, polodes, centers
+//!   of curvature and orders of contact by the first terms of the paths; both curves by stationary
+//!   curvature, and what is said of them.
 //! - `centerpoint-curve`: the poles, the coefficients of both curves by the loop closure, type, focus,
 //!   asymptote, midline and double points by the curve's own equation, the quadrilaterals.
 //! - `poles`, `three-positions`: the points with one place in two positions, the turns; the circles by
@@ -17,16 +22,20 @@
 //! - `slider-crank-alternates`: that A, B, C, D keep their distances up to the fourth order, and that
 //!   there are no others.
 //!
-//! Not covered, and said so where it is asked for: `curvature` and `mixed-positions`; what is said of wishes; pairs beside a family; poles
+//! Not covered, and said so where it is asked for: what is said of wishes; pairs beside a family; poles
 //! that may be finite or not; linkages of two joints at infinity, degenerate ones, and those with a
 //! position that is a dead centre itself. What an answer names as undecided is not checked, all else of
 //! it is.
 
+mod all_pairs;
 mod alternates;
 mod centerpoint_curve;
+mod closure;
+mod conditions;
 mod curve;
 mod dyads;
 mod eliminant;
+mod elimination;
 mod family;
 mod fitted;
 mod five_positions;
@@ -35,7 +44,10 @@ mod geometry;
 mod hart;
 mod known;
 mod linkages;
+mod mixed_positions;
 mod newton;
+mod one_position;
+mod pairs;
 mod poles;
 mod quadrilateral;
 mod rest;
@@ -144,6 +156,14 @@ fn check_kind(name: &str, fields: &Fields<'_>, answer: &Value) -> Result<(), Def
             let given = slider_crank_alternates::Given::read(fields).map_err(refused)?;
             slider_crank_alternates::check(&given, answer)
         }
-        other => Err(Defect::unchecked(format!("no checker for {other} yet"))),
+        "mixed-positions" => {
+            let given = mixed_positions::Given::read(fields).map_err(refused)?;
+            mixed_positions::check(&given, answer)
+        }
+        "curvature" => {
+            let given = one_position::Given::read(fields).map_err(refused)?;
+            one_position::check(&given, answer)
+        }
+        other => Err(Defect::unchecked(format!("no checker for {other}"))),
     }
 }

@@ -2,14 +2,14 @@
 
 use rug::Rational;
 
+use super::conditions::{Conditions, Pair};
 use crate::number::{Ball, Complex, Number};
-use crate::plane::displacement::Displacement;
 
 type Entry = Number<Complex<Ball>>;
 /// x, y of the circlepoint, X, Y of the center.
-pub type Vector = [Entry; 4];
+pub type Vector = Pair<Complex<Ball>>;
 type Matrix = [Vector; 4];
-type Five = [Displacement<Ball>; 5];
+type Five = Conditions<Complex<Ball>>;
 
 /// Steps of Newton's method before a start is said to lead nowhere.
 const STEPS: usize = 24;
@@ -17,16 +17,16 @@ const STEPS: usize = 24;
 /// The pair next to a start, enclosed: a box that provably holds exactly one solution, contracted.
 /// With `is_real` a box that is its own conjugate, so that the pair is real. `None` where no such box
 /// is found.
-pub fn enclosed(positions: &Five, start: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
+pub fn enclosed(five: &Five, start: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
     let mut middle = rounded(start, is_real, bits)?;
     for _ in 0..STEPS {
-        let step = newton_step(positions, &middle, bits)?;
+        let step = newton_step(five, &middle, bits)?;
         let next: Vector = std::array::from_fn(|i| &middle[i] - &step[i]);
         middle = rounded(&next, is_real, bits)?;
-        let size = scale(&middle)?.max(reach(positions)?);
+        let size = scale(&middle)?.max(five.reach()?);
         if scale(&step)? <= size.clone() >> (bits / 2 + 16) {
             let radius = size >> (bits / 2);
-            return contracted(positions, &middle, &radius, is_real, bits);
+            return contracted(five, &middle, &radius, is_real, bits);
         }
     }
     None
@@ -34,7 +34,7 @@ pub fn enclosed(positions: &Five, start: &Vector, is_real: bool, bits: u32) -> O
 
 /// Krawczyk's operator on the box around a middle, where it lies inside.
 fn contracted(
-    positions: &Five,
+    five: &Five,
     middle: &Vector,
     radius: &Rational,
     is_real: bool,
@@ -54,9 +54,9 @@ fn contracted(
     });
     let [a, b, c, d] = wide;
     let wide: Vector = [a?, b?, c?, d?];
-    let inverse = approximate_inverse(&derivative(positions, middle), bits)?;
-    let value = applied(&inverse, &conditions(positions, middle));
-    let slope = derivative(positions, &wide);
+    let inverse = approximate_inverse(&five.slopes(middle)?, bits)?;
+    let value = applied(&inverse, &five.at(middle)?);
+    let slope = five.slopes(&wide)?;
     let image: Vector = std::array::from_fn(|i| {
         let mut image = &middle[i] - &value[i];
         for k in 0..4 {
@@ -103,17 +103,6 @@ fn rounded(vector: &Vector, is_real: bool, bits: u32) -> Option<Vector> {
     Some([a?, b?, c?, d?])
 }
 
-/// How far the positions go: a size also where both points are the origins of their planes.
-fn reach(positions: &Five) -> Option<Rational> {
-    let mut largest = Rational::new();
-    for position in positions {
-        for part in [position.translation.re(), position.translation.im()] {
-            largest = largest.max(part.0.midpoint_rational()?.abs());
-        }
-    }
-    Some(largest)
-}
-
 /// The largest part.
 fn scale(vector: &Vector) -> Option<Rational> {
     let mut largest = Rational::new();
@@ -123,58 +112,9 @@ fn scale(vector: &Vector) -> Option<Rational> {
     Some(largest)
 }
 
-fn newton_step(positions: &Five, at: &Vector, bits: u32) -> Option<Vector> {
-    let inverse = approximate_inverse(&derivative(positions, at), bits)?;
-    Some(applied(&inverse, &conditions(positions, at)))
-}
-
-/// From the center to the place of the circlepoint.
-fn links(position: &Displacement<Ball>, [x, y, cx, cy]: &Vector) -> [Entry; 2] {
-    let (cos, sin) = (
-        Number::from(position.rotation.re().clone()),
-        Number::from(position.rotation.im().clone()),
-    );
-    let (a, b) = (
-        position.translation.re().clone(),
-        position.translation.im().clone(),
-    );
-    let (cos, sin): (&Entry, &Entry) = (&cos, &sin);
-    [
-        cos * x - sin * y + Number::from(a) - cx,
-        sin * x + cos * y + Number::from(b) - cy,
-    ]
-}
-
-/// The squared radius of each position after the first, less that of the first.
-fn conditions(positions: &Five, at: &Vector) -> Vector {
-    let squared = |position: &Displacement<Ball>| {
-        let [u, v] = links(position, at);
-        &u * &u + &v * &v
-    };
-    let [first, rest @ ..] = positions;
-    let first = squared(first);
-    rest.each_ref().map(|position| squared(position) - &first)
-}
-
-/// Row by row: by x, y, X, Y.
-fn derivative(positions: &Five, at: &Vector) -> Matrix {
-    let slopes = |position: &Displacement<Ball>| -> Vector {
-        let [u, v] = links(position, at);
-        let cos: Entry = Number::from(position.rotation.re().clone());
-        let sin: Entry = Number::from(position.rotation.im().clone());
-        [
-            (&u * &cos + &v * &sin) * 2,
-            (&v * &cos - &u * &sin) * 2,
-            u * -2,
-            v * -2,
-        ]
-    };
-    let [first, rest @ ..] = positions;
-    let first = slopes(first);
-    rest.each_ref().map(|position| {
-        let row = slopes(position);
-        std::array::from_fn(|k| &row[k] - &first[k])
-    })
+fn newton_step(five: &Five, at: &Vector, bits: u32) -> Option<Vector> {
+    let inverse = approximate_inverse(&five.slopes(at)?, bits)?;
+    Some(applied(&inverse, &five.at(at)?))
 }
 
 fn applied(matrix: &Matrix, vector: &Vector) -> Vector {

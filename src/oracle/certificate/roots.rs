@@ -1,25 +1,23 @@
 //! Whether a list of points is all that two circlepoint curves have in common.
 
-use super::{Defect, require};
-use crate::finite::five_positions::circlepoint_curves::circlepoints;
+use super::conditions::Form;
+use super::{Defect, elimination, require};
 use crate::number::univariate::{Polynomial, isolate};
 use crate::number::{Ball, Complex, Exact, Number};
-use crate::plane::displacement::Displacement;
 
 type Entry = Number<Complex<Ball>>;
-type Five = [Displacement<Exact>; 5];
+type Forms = [Form<Exact>; 4];
 
 /// Directions in which points are told apart; two must serve.
 const DIRECTIONS: [[i64; 2]; 5] = [[1, 0], [0, 1], [1, 1], [3, -1], [-2, 5]];
 
-/// Orders of the positions: the first three share the poles that the curves have in common besides.
-const ORDERS: [[usize; 5]; 6] = [
-    [0, 1, 2, 3, 4],
-    [0, 1, 3, 2, 4],
-    [0, 3, 4, 1, 2],
-    [1, 2, 4, 0, 3],
-    [2, 3, 4, 0, 1],
-    [0, 1, 4, 2, 3],
+/// How the conditions are mixed: the first two share the points that the curves have in common besides.
+const MIXTURES: [[[i64; 4]; 4]; 5] = [
+    [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+    [[0, 0, 1, 0], [0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0]],
+    [[1, 2, 0, 1], [0, 1, 3, -1], [0, 0, 1, 1], [0, 0, 0, 1]],
+    [[2, 0, 1, 3], [1, 1, 0, 2], [0, 1, 1, 0], [0, 0, 1, 2]],
+    [[1, -1, 2, 5], [0, 3, 1, -2], [1, 0, 0, 1], [0, 1, 0, 0]],
 ];
 
 /// A finite point with how often it counts.
@@ -28,21 +26,21 @@ pub struct Listed {
     pub multiplicity: usize,
 }
 
-/// The polynomial of the values ax + by of the finite circlepoints, for whichever order of the
-/// positions gives one.
-pub fn eliminant(positions: &Five, direction: [i64; 2]) -> Option<Polynomial<Exact>> {
-    ORDERS.iter().find_map(|order| {
-        let ordered = order.map(|place| positions[place].clone());
-        circlepoints(&ordered, direction)
+/// The polynomial of the values ax + by of the finite circlepoints, for whichever mixture of the
+/// conditions gives one.
+pub fn eliminant(forms: &Forms, direction: [i64; 2]) -> Option<Polynomial<Exact>> {
+    MIXTURES.iter().find_map(|mixture| {
+        let mixed = mixture.map(|factors| Form::sum(forms, factors));
+        elimination::circlepoints(&mixed, direction)
     })
 }
 
-/// Passes where the points are the circlepoints of the positions, each with its multiplicity, in two
+/// Passes where the points are the circlepoints of the conditions, each with its multiplicity, in two
 /// directions at least.
-pub fn check(positions: &Five, listed: &[Listed], place: &str, bits: u32) -> Result<(), Defect> {
+pub fn check(forms: &Forms, listed: &[Listed], place: &str, bits: u32) -> Result<(), Defect> {
     let mut served = 0;
     for direction in DIRECTIONS {
-        if let Some(polynomial) = eliminant(positions, direction) {
+        if let Some(polynomial) = eliminant(forms, direction) {
             compare(&polynomial, direction, listed, place, bits)?;
             served += 1;
         }
