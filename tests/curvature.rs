@@ -299,6 +299,13 @@ fn special_values_have_an_answer() {
         assert!(zero(&n_is_zero.n().numerator));
         assert!(!matches!(n_is_zero.alternates(), Alternates::Undecided));
     }
+    assert!(matches!(
+        slider_crank(-3, 0, 45).alternates(),
+        Alternates::Undetermined
+    ));
+    let both_on_normal = slider_crank(-2, 90, 90);
+    assert!(both_on_normal.n().is_undetermined().is_yes());
+    assert!(both_on_normal.pa().is_undetermined().is_no());
     for k in [-4, -3, -1, 2] {
         let [pole, _] = answer(&slider_crank(k, 90, 45));
         assert!(zero(&pole.point.value()));

@@ -874,7 +874,7 @@ mod slider_crank {
         let pairs = match linkage.alternates() {
             Alternates::Real(pairs) => *pairs,
             Alternates::Complex(_) => return None,
-            Alternates::Undecided => panic!("{what}: undecided at {BITS} bits"),
+            other => panic!("{what}: {other:?} at {BITS} bits"),
         };
         for (name, pair) in ["B", "C"].iter().zip(&pairs) {
             let found = deviations(pair, &motion);

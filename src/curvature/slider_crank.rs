@@ -38,11 +38,11 @@
 
 use std::cmp::Ordering;
 
-use crate::number::{Complex, Kind, Number, Real};
+use crate::number::{Complex, Kind, Number, Real, Truth};
 use crate::plane::Angle;
 use crate::plane::displacement::Displacement;
 
-/// A number that may be infinite: a quotient whose parts are not both zero.
+/// A number that may be infinite; not determined where both parts are zero.
 #[derive(Clone, Debug)]
 pub struct Quotient<K> {
     /// What is divided.
@@ -62,6 +62,11 @@ impl<K: Kind> Quotient<K> {
 
     fn zero() -> Self {
         Quotient::new(Number::zero(), Number::one())
+    }
+
+    /// Whether it is 0/0.
+    pub fn is_undetermined(&self) -> Truth {
+        self.numerator.is_zero() & self.denominator.is_zero()
     }
 
     /// The number itself; no value where it is infinite.
@@ -88,6 +93,8 @@ pub enum Alternates<K> {
     Real(Box<[Pair<K>; 2]>),
     /// Conjugate complex: the tangents of their rays.
     Complex([Number<Complex<K>>; 2]),
+    /// α_a = 0: pin and pivot of the crank are both in the pole, and it guides nothing.
+    Undetermined,
     /// Whether they are real cannot be told in this arithmetic.
     Undecided,
 }
@@ -231,6 +238,9 @@ impl<K: Real> SliderCrank<K> {
     /// The same with any fifth position.
     pub fn alternates_in(&self, fifth: &Fifth<K>) -> Alternates<K> {
         let symbols = self.symbols();
+        if symbols.sa.is_zero().is_yes() {
+            return Alternates::Undetermined;
+        }
         if symbols.cd.is_zero().is_yes() {
             return self.with_slider_pin_at_inflection_pole(&symbols, fifth);
         }
@@ -286,7 +296,12 @@ impl<K: Real> SliderCrank<K> {
         } = symbols;
         let ray = upper_half(c, s);
         let (c, s) = (ray.cos(), ray.sin());
-        let numerator = k_sin * &c * &s;
+        // Zero also where this arithmetic does not hold the ray.
+        let numerator = if k_sin.is_zero().is_yes() {
+            Number::zero()
+        } else {
+            k_sin * &c * &s
+        };
         let from_d = ca * (&s * cd - sd * &c);
         Pair {
             point: Quotient::new(numerator.clone(), k_sin * c + &from_d),

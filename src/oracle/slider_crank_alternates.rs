@@ -7,7 +7,7 @@ use super::input::{self, Fields};
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, ProblemError, Request, output};
 use crate::curvature::slider_crank::{Alternates, Pair, Quotient, SliderCrank};
-use crate::number::{Ball, Complex, Elementary, Number, Real, Surd};
+use crate::number::{Ball, Complex, Elementary, Number, Real, Surd, Truth};
 use crate::plane::Angle;
 
 /// The answer's numbers in their order.
@@ -70,7 +70,9 @@ impl Problem {
         let mut answer = Map::new();
         for (name, quotient) in &quantities.numbers {
             let value = quotient.as_ref().map_or(Value::Null, |quotient| {
-                if quotient.denominator.0 == 0.0 {
+                if quotient.is_undetermined().is_yes() {
+                    undetermined()
+                } else if quotient.denominator.0 == 0.0 {
                     json!({"infinite": true})
                 } else {
                     output::float(quotient.value().0)
@@ -83,6 +85,7 @@ impl Problem {
         let rays = match &quantities.rays {
             Rays::Real(rays) => rays.each_ref().map(degrees),
             Rays::Complex(tangents) => tangents.each_ref().map(tangent),
+            Rays::Undetermined => [undetermined(), undetermined()],
             Rays::Undecided => [Value::Null, Value::Null],
         };
         insert_rays(&mut answer, rays);
@@ -105,6 +108,7 @@ struct Quantities<K> {
 enum Rays<K> {
     Real([Angle<K>; 2]),
     Complex([Number<Complex<K>>; 2]),
+    Undetermined,
     Undecided,
 }
 
@@ -120,6 +124,13 @@ impl<K: Real> Quantities<K> {
                 )
             }
             Alternates::Complex(tangents) => (Rays::Complex(tangents), [None, None, None, None]),
+            Alternates::Undetermined => {
+                let none = || Quotient {
+                    numerator: Number::zero(),
+                    denominator: Number::zero(),
+                };
+                (Rays::Undetermined, std::array::from_fn(|_| Some(none())))
+            }
             Alternates::Undecided => (Rays::Undecided, [None, None, None, None]),
         };
         let finite = |numerator| Quotient {
@@ -163,6 +174,7 @@ impl Both<'_> {
                 (None, None) if self.are_complex() => Some(Value::Null),
                 (exact, ball) => exact
                     .and_then(|quotient| self.exact_number(quotient))
+                    .or_else(|| exactly_zero(exact?, ball.as_ref()?))
                     .or_else(|| self.number(ball.as_ref()?)),
             };
             answer.insert((*name).into(), self.attempt.decided(name, value));
@@ -185,14 +197,14 @@ impl Both<'_> {
 
     fn number(&self, quotient: &Quotient<Ball>) -> Option<Value> {
         if quotient.denominator.is_zero().is_yes() {
-            return quotient.numerator.is_zero().is_no().then(infinite);
+            return by_zero(quotient);
         }
         output::enclosure(&quotient.value(), self.attempt.digits)
     }
 
     fn exact_number(&self, quotient: &Quotient<Surd>) -> Option<Value> {
         if quotient.denominator.is_zero().is_yes() {
-            return quotient.numerator.is_zero().is_no().then(infinite);
+            return by_zero(quotient);
         }
         output::surd(&quotient.value(), self.attempt.digits, self.attempt.bits)
     }
@@ -213,6 +225,7 @@ impl Both<'_> {
                     "im": output::enclosure(tangent.im(), self.attempt.digits)?,
                 }))
             }
+            Rays::Undetermined => Some(undetermined()),
             Rays::Undecided => None,
         })
     }
@@ -236,6 +249,7 @@ impl Both<'_> {
                     .map(|part| part.has_value().then(|| output::surd(part, digits, bits))?);
                 Some(json!({"re": re?, "im": im?}))
             }
+            Rays::Undetermined => Some(undetermined()),
             Rays::Undecided => None,
         }
     }
@@ -253,6 +267,26 @@ impl Both<'_> {
         };
         Some(json!({"degrees": degrees}))
     }
+}
+
+/// A quotient whose denominator is zero.
+fn by_zero<K: Real>(quotient: &Quotient<K>) -> Option<Value> {
+    match quotient.numerator.is_zero() {
+        Truth::Yes => Some(undetermined()),
+        Truth::No => Some(infinite()),
+        Truth::Unknown => None,
+    }
+}
+
+/// A quotient of which exact numbers know that the numerator is zero, and enclosures that the
+/// denominator is not.
+fn exactly_zero(exact: &Quotient<Surd>, ball: &Quotient<Ball>) -> Option<Value> {
+    let is_zero = exact.numerator.is_zero().is_yes() && ball.denominator.is_zero().is_no();
+    is_zero.then(|| output::exact(&0.into()))
+}
+
+fn undetermined() -> Value {
+    json!({"undetermined": true})
 }
 
 fn infinite() -> Value {

@@ -109,14 +109,20 @@ fn number(
     let vanishes = is_zero(numerator, exact.map(|[numerator, _]| numerator));
     match (shown["infinite"] == true, is_infinite, vanishes) {
         (_, Truth::Unknown, _) => Err(Defect::unchecked(format!("whether {name} is infinite"))),
-        (_, Truth::Yes, vanishes) if !vanishes.is_no() => {
-            Err(Defect::unchecked(format!("{name} is not determined")))
-        }
+        (_, Truth::Yes, Truth::Yes) => is_undetermined(shown, name),
+        (_, Truth::Yes, Truth::Unknown) => Err(Defect::unchecked(format!(
+            "whether {name} is infinite or not determined"
+        ))),
         (true, Truth::No, _) => Err(Defect::wrong(name, "it is finite")),
         (false, Truth::Yes, _) => Err(Defect::wrong(name, "it is infinite")),
         (true, Truth::Yes, _) => Ok(()),
         (false, Truth::No, _) => shown::holds(shown, name, &(numerator / denominator), digits),
     }
+}
+
+fn is_undetermined(shown: &Value, name: &str) -> Result<(), Defect> {
+    let said = shown["undetermined"] == true;
+    require(said, name, "it is not determined")
 }
 
 impl<K: Real> SliderCrank<K> {
@@ -147,6 +153,12 @@ impl<K: Real> SliderCrank<K> {
             ("R", [unit.clone(), 3 * &u - &unit]),
             ("M", [unit, u]),
         ]
+    }
+
+    /// Whether pin and pivot of the crank are both in the pole.
+    fn is_without_crank(&self) -> bool {
+        let [_, sa] = &self.a;
+        sa.is_zero().is_yes()
     }
 
     /// `None` for pins on one ray, and for a crank along the pole tangent.
@@ -261,6 +273,11 @@ fn alternates(
     answer: &Value,
     digits: u32,
 ) -> Result<(), Defect> {
+    if exact.is_some_and(SliderCrank::is_without_crank) {
+        let names = ["alpha_b", "alpha_c", "PB", "PC", "PO_b", "PO_c"];
+        let mut all = names.iter();
+        return all.try_for_each(|name| is_undetermined(&answer[*name], name));
+    }
     let unchecked = || Defect::unchecked("B and C of pins on one ray or on the pole tangent");
     let motion = own.motion().ok_or_else(unchecked)?;
     let quadratic = quadratic(own, &motion).ok_or_else(unchecked)?;

@@ -165,7 +165,8 @@ impl Reader {
                 !ordinary.is_empty() && !ordinary.contains(&word.as_str())
             }
             (Shape::Point, Part::Ratio(_) | Part::Word(_)) => true,
-            (Shape::Length, Part::Word(word)) => word == "infinite",
+            (Shape::Length, Part::Word(word)) => word == "infinite" || word == "undetermined",
+            (Shape::Ray, Part::Word(word)) => word == "undetermined",
             _ => false,
         };
         self.statements
@@ -238,6 +239,9 @@ fn member(
 
 fn part(shape: &Shape, value: &Value, place: &str) -> Result<Part, Misread> {
     match shape {
+        Shape::Length | Shape::Ray | Shape::Point if flag(value, "undetermined") => {
+            Ok(Part::Word("undetermined".to_owned()))
+        }
         Shape::Length if flag(value, "infinite") => Ok(Part::Word("infinite".to_owned())),
         Shape::Length => Ok(Part::Numbers(vec![Known::read(value, place)?])),
         Shape::Angle => {
@@ -246,7 +250,6 @@ fn part(shape: &Shape, value: &Value, place: &str) -> Result<Part, Misread> {
         }
         Shape::Ray if value.get("re").is_some() => Ok(Part::Numbers(complex(value, place)?.into())),
         Shape::Ray => part(&Shape::Angle, value, place),
-        Shape::Point if flag(value, "undetermined") => Ok(Part::Word("undetermined".to_owned())),
         Shape::Point => match value.get("at_infinity") {
             Some(direction) => Ok(Part::Ratio(numbers(direction, Some(2), place)?)),
             None => Ok(Part::Numbers(numbers(value, Some(2), place)?)),

@@ -6,11 +6,11 @@ use Shape::{Angle, ComplexPoint, Each, Fact, Fields, Length, Point, Ray, Remark,
 /// What a part of an answer is, and so how it is compared.
 #[derive(Debug)]
 pub enum Shape {
-    /// A number, or that it is infinite.
+    /// A number, or that it is infinite or not determined.
     Length,
     /// An angle, modulo 360°.
     Angle,
-    /// An angle, or a complex tangent.
+    /// An angle, a complex tangent, or that it is not determined.
     Ray,
     /// A point: finite, at infinity, or not determined.
     Point,

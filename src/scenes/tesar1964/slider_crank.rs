@@ -40,6 +40,9 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let [b, c] = match linkage.alternates() {
         Alternates::Real(pairs) => *pairs,
         Alternates::Complex(_) => return Err(Unbuilt::NotReal("B and C are complex".to_owned())),
+        Alternates::Undetermined => {
+            return Err(Unbuilt::NotReal("the crank guides nothing".to_owned()));
+        }
         Alternates::Undecided => {
             return Err(Unbuilt::NotHeld("the sign of the discriminant".to_owned()));
         }
