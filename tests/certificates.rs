@@ -206,22 +206,25 @@ const WAYS_OF_PAIRS: u32 = 11;
 
 #[test]
 fn damaged_answers_are_rejected() {
-    assert_damaged_pairs_are_rejected(&[
-        "random-five-positions",
-        "five-positions-of-linkages",
-        "near-degenerate-five-positions",
-        "degenerate-five-positions",
-        "sliders",
-    ]);
+    assert_damaged_pairs_are_rejected(
+        &[
+            "random-five-positions",
+            "five-positions-of-linkages",
+            "near-degenerate-five-positions",
+            "degenerate-five-positions",
+            "sliders",
+        ],
+        500,
+    );
 }
 
 #[test]
 fn damaged_pairs_of_positions_that_came_together_are_rejected() {
-    assert_damaged_pairs_are_rejected(&["mixed-positions"]);
-    assert_damaged_pairs_are_rejected(&["curvature"]);
+    assert_damaged_pairs_are_rejected(&["mixed-positions"], 200);
+    assert_damaged_pairs_are_rejected(&["curvature"], 200);
 }
 
-fn assert_damaged_pairs_are_rejected(names: &[&str]) {
+fn assert_damaged_pairs_are_rejected(names: &[&str], least: usize) {
     let mut random = seed::generator(names[0]);
     let all: Vec<Entry> = names
         .iter()
@@ -235,7 +238,7 @@ fn assert_damaged_pairs_are_rejected(names: &[&str]) {
         })
         .collect();
     let mut tried: BTreeMap<u32, usize> = BTreeMap::new();
-    while tried.values().sum::<usize>() < 500 {
+    while tried.values().sum::<usize>() < least {
         let Entry { problem, answer } = &all[random.random_range(0..all.len())];
         let way = random.random_range(0..WAYS_OF_PAIRS);
         let Some(damaged) = damaged_pairs(&answer["answer"], way, &mut random) else {
@@ -333,11 +336,13 @@ fn rare_positions() -> Vec<Value> {
     let mixed =
         |first: Value| json!({"problem": "mixed-positions", "positions": [first, shifted, third]});
     vec![
-        // Four simple pairs; two equal ones; one in the pole; Ball's point one of them, or two.
+        // Four simple pairs; two equal ones; one in the pole; Ball's point one of them, two, or three.
         invariants(["2", "5"], ["-3", "7"]),
         invariants(["1", "0"], ["5", "-61/12"]),
         invariants(["0", "0"], ["6", "2"]),
         invariants(["2", "5"], ["16/5", "7"]),
+        invariants(["-3/4", "0"], ["9", "-1"]),
+        invariants(["-1", "1"], ["-8/3", "5/3"]),
         linkage(json!({"circlepoint": [4, 0], "center": [5, -3]})),
         linkage(json!({"circlepoint": [4, 0], "center": {"at_infinity": [0, 1]}})),
         linkage(json!({"circlepoint": {"at_infinity": [1, 3]}, "center": [5, -3]})),

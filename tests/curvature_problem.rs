@@ -112,6 +112,53 @@ fn invariants_say_the_same_as_the_linkage() {
     assert_eq!(canonical["inflection_pole"], exact(["0", "1"]));
 }
 
+/// A link by its circlepoint and its center, either of them perhaps at infinity.
+fn ends(circlepoint: &Value, center: &Value) -> Value {
+    json!({"circlepoint": circlepoint, "center": center})
+}
+
+/// The slider's pin is always Ball's point; for k = −1 the crank pin is at infinity on its ray, for k = −4
+/// and the pin D in the inflection pole another point falls into D.
+#[test]
+fn ball_s_point_of_a_slider_crank_is_a_burmester_point() {
+    let slider = |at: Value, normal: Value| ends(&at, &json!({"at_infinity": normal}));
+    let inclined = slider(json!(["12/25", "16/25"]), json!([3, 4]));
+    let at_inflection_pole = slider(json!([0, 1]), json!([0, 1]));
+    let k_is_minus_1 = ends(&json!({"at_infinity": [1, 1]}), &json!(["-1/2", "-1/2"]));
+    let k_is_minus_4 = ends(&json!(["2/3", "2/3"]), &json!([-2, -2]));
+    for (crank, slider, expected, ball_point) in [
+        (&k_is_minus_1, &inclined, "burmester", ["12/25", "16/25"]),
+        (&k_is_minus_4, &inclined, "burmester", ["12/25", "16/25"]),
+        (&k_is_minus_1, &at_inflection_pole, "burmester", ["0", "1"]),
+        (
+            &k_is_minus_4,
+            &at_inflection_pole,
+            "double-burmester",
+            ["0", "1"],
+        ),
+    ] {
+        let answer = answered(&json!({"problem": "curvature", "links": [crank, slider]}));
+        assert_eq!(answer["pole"], exact(["0", "0"]));
+        assert_eq!(answer["inflection_pole"], exact(["0", "1"]));
+        assert_eq!(answer["ball_point"], exact(ball_point));
+        assert_eq!(answer["ball_burmester"], json!(expected), "{answer}");
+    }
+}
+
+#[test]
+fn ball_s_point_need_not_be_a_burmester_point() {
+    assert_eq!(answered(&four_bar())["ball_burmester"], json!("none"));
+    let of_invariants = |third: [&str; 2], fourth: [&str; 2]| {
+        let invariants = json!({"third": third, "fourth": fourth});
+        answered(&json!({"problem": "curvature", "invariants": invariants}))
+    };
+    let thrice = of_invariants(["-1", "1"], ["-8/3", "5/3"]);
+    assert_eq!(thrice["ball_burmester"], json!("triple-burmester"));
+    let open = of_invariants(["0", "0"], ["6", "2"]);
+    assert_eq!(open["ball_point"], json!({"undetermined": true}));
+    assert!(open["ball_burmester"].is_null() && open.get("undecided").is_none());
+}
+
 #[test]
 fn wrong_problems_are_refused_with_their_place() {
     let center = json!([0, 0]);

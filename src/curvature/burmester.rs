@@ -23,7 +23,7 @@ use super::canonical::Invariants;
 use super::mixed::Groups;
 use super::motion::Motion;
 use crate::finite::five_positions::conics::{Pairs, pairs_of};
-use crate::number::univariate::Quadratic;
+use crate::number::univariate::{Polynomial, Quadratic};
 use crate::number::{Exact, Kind, Number, Real, Truth};
 use crate::plane::projective::ProjectivePoint;
 
@@ -83,6 +83,34 @@ impl<K: Kind> Invariants<K> {
 }
 
 impl<K: Real> Invariants<K> {
+    /// How often Ball's point counts among the Burmester points with their centers at infinity: the order
+    /// of its ray among the rays, on the pole normal that of σ = 0. Thrice for some motions, never more.
+    /// `None` where it cannot be told, and where Ball's point is not determined.
+    pub fn ball_burmester_multiplicity(&self) -> Option<usize> {
+        let (a, b) = (self.third.re(), self.third.im());
+        match self.has_ball_burmester_point() {
+            Truth::Yes => {}
+            Truth::No => return Some(0),
+            Truth::Unknown => return None,
+        }
+        let form = match b.is_zero() {
+            Truth::No => Polynomial::new(self.burmester_rays().to_vec()).shifted(&-(a / b)),
+            Truth::Yes if a.is_zero().is_no() => {
+                let Quadratic { a, b, c } = self.on_pole_normal();
+                Polynomial::new(vec![c, b, a])
+            }
+            _ => return None,
+        };
+        for (order, coefficient) in form.coefficients().iter().enumerate() {
+            match coefficient.is_zero() {
+                Truth::Yes => {}
+                Truth::No => return Some(order),
+                Truth::Unknown => return None,
+            }
+        }
+        None
+    }
+
     /// The curvatures σ of the paths of the two Burmester points on the pole normal, where b₃ = 0: the
     /// roots of 3σ² − (4a₃ + 3)σ − (b₄ + 1) = 0. A center is 1/σ from the pole, its point 1/(σ + 1).
     pub fn on_pole_normal(&self) -> Quadratic<K> {
@@ -102,7 +130,7 @@ mod tests {
     use super::*;
     use crate::curvature::contact::Guide;
     use crate::finite::five_positions::conics::Place;
-    use crate::number::univariate::{Polynomial, isolate};
+    use crate::number::univariate::isolate;
     use crate::plane::Point;
 
     fn at(x: i64, y: i64) -> Point<Exact> {
@@ -276,6 +304,51 @@ mod tests {
             .map(|pair| pair.multiplicity)
             .collect();
         assert_eq!(sliding, [2]);
+    }
+
+    /// By the rays, and by the pairs with centers at infinity that the contact finds.
+    #[test]
+    fn ball_s_point_counts_as_often_as_it_is_found() {
+        for (third, fourth, expected) in [
+            (at(2, 5), at(-3, 7), 0),
+            (at(2, 5), Number::complex(Number::ratio(16, 5), 7.into()), 1),
+            // The pole, with a cusp along the pole tangent.
+            (at(0, 5), at(0, 7), 1),
+            // The inflection pole.
+            (at(3, 0), at(50, -1), 1),
+            (
+                Number::complex(Number::ratio(-3, 4), 0.into()),
+                at(9, -1),
+                2,
+            ),
+            (
+                at(-1, 1),
+                Number::complex(Number::ratio(-8, 3), Number::ratio(5, 3)),
+                3,
+            ),
+        ] {
+            let invariants = invariants(third, fourth);
+            assert_eq!(invariants.ball_burmester_multiplicity(), Some(expected));
+            let sliding = isolated(&invariants).real(200).into_iter();
+            let sliding = sliding.filter(|pair| pair.place == Place::CenterAtInfinity);
+            let found: usize = sliding.map(|pair| pair.multiplicity).sum();
+            assert_eq!(found, expected, "{invariants:?}");
+        }
+    }
+
+    #[test]
+    fn whether_ball_s_point_counts_may_be_open() {
+        use crate::number::Ball;
+        let near = |q: (i64, i64)| {
+            let width = rug::Rational::from((1, 1_000_000));
+            Number(Ball::with_radius(&rug::Rational::from(q), &width, 64))
+        };
+        let with = |a4: (i64, i64)| Invariants {
+            third: Number::complex(near((2, 1)), near((5, 1))),
+            fourth: Number::complex(near(a4), near((7, 1))),
+        };
+        assert_eq!(with((16, 5)).ball_burmester_multiplicity(), None);
+        assert_eq!(with((-3, 1)).ball_burmester_multiplicity(), Some(0));
     }
 
     #[test]

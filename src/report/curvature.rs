@@ -86,6 +86,19 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
             canvas.joint(point, Joint::Moving, &format!("A{name}"));
         }
     }
+    let counts = match answer["ball_burmester"].as_str() {
+        Some("burmester") => Some("five positions of U are on its tangent"),
+        Some("double-burmester") => {
+            Some("five positions of U are on its tangent: two Burmester points")
+        }
+        Some("triple-burmester") => {
+            Some("five positions of U are on its tangent: three Burmester points")
+        }
+        _ => None,
+    };
+    if let Some(counts) = counts {
+        canvas.remark(counts);
+    }
     for at in asked.iter().filter(|at| Some(**at) != ball_point) {
         canvas.joint(*at, Joint::Mark, "");
     }

@@ -10,7 +10,7 @@
 //!   transmission angle. Not estimates of conditioning, nor `defects`, which are words for the same.
 //! - `mixed-positions`: the same, where what a squared distance has of t, t², … takes the place of the
 //!   positions that came together.
-//! - `curvature`: the pairs likewise; pole, inflection circle, invariants, Ball's point, polodes, centers
+//! - `curvature`: the pairs likewise; pole, inflection circle, invariants, Ball's point and how often it counts, polodes, centers
 //!   of curvature and orders of contact by the first terms of the paths; both curves by stationary
 //!   curvature, and what is said of them.
 //! - `centerpoint-curve`: the poles, the coefficients of both curves by the loop closure, type, focus,

@@ -15,7 +15,7 @@ use super::curve::Curve;
 use super::geometry::Sheet;
 use super::pairs::Pairs;
 use super::rest::Rest;
-use super::shown::list;
+use super::shown::{decided, list};
 use super::{Defect, all_pairs, require};
 use crate::number::{Ball, Exact, Number};
 use crate::oracle::ProblemError;
@@ -113,7 +113,27 @@ pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
     }
     rest.after(points(given, &sheet))?;
     rest.after(pairs(given, &sheet))?;
+    rest.after(ball_burmester(&sheet))?;
     rest.finish()
+}
+
+/// Points of a turning plane that keep to a line in five positions are Ball's point: it counts as often
+/// as there are pairs with their centers at infinity.
+fn ball_burmester(sheet: &Sheet<'_>) -> Result<(), Defect> {
+    let name = "ball_burmester";
+    let said = &sheet.answer[name];
+    if !sheet.answer["ball_point"].is_array() {
+        return require(said.is_null(), name, "there is no Ball's point");
+    }
+    let said = decided(sheet.answer, said, name)?;
+    let slides = list(sheet.answer, "at_infinity")?.iter();
+    let own = match slides.filter(|pair| pair["kind"] == "center").count() {
+        0 => "none",
+        1 => "burmester",
+        2 => "double-burmester",
+        _ => "triple-burmester",
+    };
+    require(*said == own, name, "it counts otherwise")
 }
 
 fn pairs(given: &Given, sheet: &Sheet<'_>) -> Result<(), Defect> {

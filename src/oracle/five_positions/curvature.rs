@@ -173,6 +173,8 @@ impl Given {
                 attempt.finite_point("ball_point", &place)
             }),
         );
+        let counts = proper.map(|canonical| ball_burmester(&canonical.invariants, attempt));
+        add("ball_burmester", counts.unwrap_or(Value::Null));
         let centers = [fixed_polode(motion), moving_polode(motion)].map(|polode| {
             let center = center_of_curvature(&polode);
             if proper.is_some() {
@@ -221,6 +223,17 @@ impl Given {
             "contact": {"tangent": contact(tangent), "circle": contact(circle)},
         })
     }
+}
+
+/// How often Ball's point is a Burmester point, in words; null where it is not determined.
+fn ball_burmester(invariants: &Invariants<Exact>, attempt: &mut Attempt) -> Value {
+    if invariants.third.is_zero().is_yes() {
+        return Value::Null;
+    }
+    let words = ["none", "burmester", "double-burmester", "triple-burmester"];
+    let counts = invariants.ball_burmester_multiplicity();
+    let word = counts.and_then(|counts| words.get(counts));
+    attempt.decided("ball_burmester", word.map(|word| json!(word)))
 }
 
 /// An order of contact: a number, or that it is so many at least.

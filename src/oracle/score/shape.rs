@@ -104,6 +104,7 @@ const CURVATURE: Shape = Fields(&[
     ("inflection_circle", UpToFactor),
     ("inflection_pole", Point),
     ("ball_point", Point),
+    ("ball_burmester", Fact(&["none"])),
     ("circlepoint", CURVE),
     ("centerpoint", CURVE),
     ("pairs", pairs(false)),
