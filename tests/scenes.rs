@@ -24,7 +24,7 @@ use rug::Rational;
 use seed::rounds;
 
 /// Scenes without a form for all values of their parameters, and why.
-const NOT_SYMBOLIC: [(&str, &str); 15] = [
+const NOT_SYMBOLIC: [(&str, &str); 17] = [
     ("wunderlich1968/figure-2-of-any-shape", "the winding number"),
     (
         "wunderlich1968/focal-cubic",
@@ -58,6 +58,11 @@ const NOT_SYMBOLIC: [(&str, &str); 15] = [
         "tesar1964/two-known-roots",
         "a quotient of polynomials in fourteen",
     ),
+    (
+        "tesar1964/conchoidal-fixed-link",
+        "the sign of a difference",
+    ),
+    ("tesar1964/symmetric-linkage", "the sign of a"),
 ];
 
 /// Scenes that need a decision which rounded parameters do not allow.

@@ -8,15 +8,21 @@
 //!
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
+//!
+//! Chapter V: U, V are right-handed coordinates of the fixed plane in the design position, and angles turn from U to
+//! V; O_a, O_b are the pivots, A, B the pins of the cranks R, T, S the coupler AB, Q the fixed link, D the
+//! output point at the distances M from A and N from B, ε the turn from AB to AD. Lengths are not directed.
 
 pub(super) mod alternates;
 pub(super) mod ball_burmester;
 pub(super) mod burmester_pair;
 pub(super) mod burmester_points;
 pub(super) mod circlepoint;
+pub(super) mod conchoid;
 pub(super) mod conics;
 pub(super) mod contact_properties;
 pub(super) mod coupler_point;
+pub(super) mod evans;
 pub(super) mod five_positions;
 pub(super) mod five_positions_on_a_line;
 pub(super) mod four_bar;
@@ -26,5 +32,9 @@ pub(super) mod moving_plane;
 pub(super) mod point_on_a_line;
 mod pole_frame;
 pub(super) mod positions_on_a_line;
+pub(super) mod precision_points;
 mod quadratic;
+mod sense;
 pub(super) mod slider_crank;
+pub(super) mod symmetric_linkage;
+pub(super) mod watt;
