@@ -76,6 +76,18 @@ pub const SCENE: Scene = scene!(
     ]
 );
 
+pub const ANY_START: Scene = scene!(
+    "tesar1964/burmester-pair-from-any-start",
+    "The same but for position 0, which is as free as the others.",
+    build_any_start,
+    [
+        "phi_0": "turn of position 0",
+        "a_0": "coordinate of the moving origin in position 0",
+        "b_0": "coordinate of the moving origin in position 0",
+        "Z_7": "the circle's equation at the point of the fixed plane with the coordinates of the moving point",
+    ]
+);
+
 /// A point, its center and five positions that bring it to places on one circle.
 pub(super) struct Pair<K> {
     pub point: Point<K>,
@@ -177,5 +189,20 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         bindings.bind(&format!("Z_{i}"), coordinate);
     }
     bindings.bind("Z_7", circle.at(&pair.point) * &factor);
+    Ok(bindings)
+}
+
+fn build_any_start<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let (center, start) = (point(free, "the center")?, point(free, "the point")?);
+    let place = point(free, "place 0")?;
+    let phi = free.angle("phi_0")?;
+    let factor = free.number("Q_0")?;
+    let origin = &place - phi.cis() * &start;
+    let circle = Circle::about(&center, &relation::distance_squared(&place, &center));
+    let mut bindings = Bindings::new(free.precision());
+    bindings.bind("phi_0", phi);
+    bindings.bind("a_0", origin.re().clone());
+    bindings.bind("b_0", origin.im().clone());
+    bindings.bind("Z_7", circle.at(&start) * factor);
     Ok(bindings)
 }
