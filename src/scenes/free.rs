@@ -53,6 +53,12 @@ pub trait Free<K: Real> {
             Err(Unbuilt::NotHeld(format!("the square root that is {name}")))
         }
     }
+
+    /// The same number. Where symbols stay free, a root of it is looked for among all that there are by now, not
+    /// only among those of which it was made.
+    fn among_all(&self, number: Number<K>) -> Number<K> {
+        number
+    }
 }
 
 /// Any point, by its two free coordinates.
@@ -169,6 +175,16 @@ impl Free<Fraction> for Symbols {
                 Ok(root)
             }
             _ => Err(Unbuilt::NotHeld(format!("the square root that is {name}"))),
+        }
+    }
+
+    fn among_all(&self, number: Number<Fraction>) -> Number<Fraction> {
+        match self.ring.len() {
+            0 => number,
+            len => {
+                let last = Number::variable(&self.ring, len - 1);
+                number + &last - last
+            }
         }
     }
 }

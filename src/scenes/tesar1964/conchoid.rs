@@ -104,7 +104,7 @@ fn o_b<K: Real>() -> Point<K> {
 
 fn linkage<K: Real>(free: &mut dyn Free<K>) -> Result<Linkage<K>, Unbuilt> {
     let r = free.length("r")?;
-    let alpha = free.angle("alpha")?;
+    let alpha = free.slope("alpha")?;
     Unbuilt::unless_real(
         alpha.cos().is_positive(),
         "alpha is less than a right angle",
@@ -152,8 +152,8 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         ("UP_1", "VP_1", a),
         ("UP_2", "VP_2", &b),
     ] {
-        bindings.bind(u, point.re().clone());
-        bindings.bind(v, point.im().clone());
+        bindings.bind(u, free.among_all(point.re().clone()));
+        bindings.bind(v, free.among_all(point.im().clone()));
     }
     let opening = (d - a) * (&b - a).conj();
     bindings.bind("epsilon", Angle::of_known_length(opening, &m * &s));

@@ -164,8 +164,8 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         ("UP_2", "VP_2", b),
         ("U_d", "V_d", &d),
     ] {
-        bindings.bind(u, point.re().clone());
-        bindings.bind(v, point.im().clone());
+        bindings.bind(u, free.among_all(point.re().clone()));
+        bindings.bind(v, free.among_all(point.im().clone()));
     }
     let opening = (&d - a) * (b - a).conj();
     bindings.bind("epsilon", Angle::of_known_length(opening, m.clone()));
