@@ -63,6 +63,7 @@ pub fn of_slider_crank<K: Real>(
             Ok(Cranks::of(linkage, b, c))
         }
         Alternates::Complex(_) => Err(NoDesign::Complex),
+        Alternates::Undetermined => Err(NoDesign::NoLength("A")),
         Alternates::Undecided => Err(NoDesign::Undecided),
     }
 }
