@@ -2,8 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use burmester::curvature::slider_crank::SliderCrank;
-use burmester::number::{Number, Surd};
+use burmester::number::{Ball, Number, Surd};
 use burmester::plane::Angle;
+use burmester::plane::line::mirror;
 use burmester::straight_line::ball_burmester::{
     Alternate, at_inflection_pole, double, equal_cranks, of_rays, of_slider_crank,
 };
@@ -13,8 +14,10 @@ use burmester::straight_line::evans::Evans;
 use burmester::straight_line::no_design::NoDesign;
 use burmester::straight_line::slider_crank::{Assembly, joints};
 use burmester::straight_line::symmetric::Symmetric;
+use burmester::straight_line::symmetrical::{Symmetrical, rays_of_d};
 use burmester::straight_line::watt::Watt;
 use proptest::prelude::*;
+use rug::Rational;
 use serde_json::{Value, json};
 
 type N = Number<Surd>;
@@ -319,4 +322,73 @@ fn an_intersection_goes_over_into_a_burmester_point() {
     };
     let [far, near] = [nearest("0.001"), nearest("0.00001")];
     assert!(far < 0.1 && near < far / 50.0, "{far} {near}");
+}
+
+/// Two intersections that come together become a tangent.
+#[test]
+fn two_intersections_go_over_into_a_tangent() {
+    let of = |kind: &str, s: Value| {
+        let answer = solve(
+            json!({"kind": kind, "k": "0.9", "alpha_a": {"degrees": "72.5"}, "s": s,
+            "alpha_d": {"from": "20", "to": "30"}}),
+        );
+        let solutions = answer["solutions"].as_array().unwrap().iter();
+        let rays = solutions.map(|one| float(&one["alpha_d"]["degrees"]));
+        rays.collect::<Vec<f64>>()
+    };
+    let tangent = of("ball-tangent", json!("0.5"));
+    let near = of("ball-two-intersections", json!(["0.4999", "0.5001"]));
+    assert!(tangent.len() == 1 && !near.is_empty());
+    assert!(
+        near.iter().any(|ray| (ray - tangent[0]).abs() < 1e-4),
+        "{tangent:?} {near:?}"
+    );
+}
+
+/// Where R = S = M the mirrored position has D mirrored, for every linkage of the family.
+#[test]
+fn a_symmetrical_curve_is_symmetrical() {
+    let ball = |(p, q): (i64, i64)| Number::<Ball>::rounded(&Rational::from((p, q)), &200);
+    let is_apart = |x: &Number<Ball>| {
+        let near = Rational::from((1, 1_000_000_000_000i64));
+        x.is_zero().is_no() || x.0.radius_rational().is_none_or(|radius| radius > near)
+    };
+    let vanishes = |x: Number<Ball>| assert!(!is_apart(&x), "{x}");
+    let parameters = [
+        ((9, 10), (3, 4), (1, 5)),
+        ((6, 5), (1, 2), (-2, 3)),
+        ((11, 10), (7, 9), (4, 1)),
+    ];
+    let mut tried = 0;
+    for (k, a, half) in parameters {
+        let (k, alpha_a) = (ball(k), Angle::from_tan_half(&ball(a)));
+        let half = Angle::from_tan_half(&ball(half)).cis();
+        let Ok(rays) = rays_of_d(&k, &alpha_a) else {
+            continue;
+        };
+        for alpha_d in rays {
+            tried += 1;
+            let linkage = SliderCrank {
+                k: k.clone(),
+                alpha_a: alpha_a.clone(),
+                alpha_d,
+            };
+            let design = Symmetrical::new(&linkage, &half).design().unwrap();
+            let [_, (_, r), (_, s), _, (_, m), _] = design.squared_lengths();
+            vanishes(&r - s);
+            vanishes(r - m);
+            let [o_a, o_b] = &design.linkage.pivots;
+            let moved = design.to_mirrored();
+            for (pivot, pin) in design.linkage.pivots.iter().zip(&design.linkage.pins) {
+                vanishes((moved.of(pin) - pivot).norm() - (pin - pivot).norm());
+            }
+            let on_axis = o_a + (o_b - o_a) * &half;
+            let mirrored = mirror(&design.linkage.point, o_a, &on_axis);
+            vanishes((moved.of(&design.linkage.point) - mirrored).norm());
+            let deviation = design.deviation(3).unwrap();
+            vanishes(deviation.v.coefficient(1));
+            vanishes(deviation.v.coefficient(2));
+        }
+    }
+    assert!(tried > 2, "{tried}");
 }
