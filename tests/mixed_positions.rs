@@ -18,6 +18,7 @@ use burmester::curvature::motion::Motion;
 use burmester::finite::five_positions::conditions::{of_pair, rows};
 use burmester::finite::five_positions::conics::Pairs;
 use burmester::number::{Exact, Number, Series};
+use burmester::oracle::certificate::{Defect, check_answer};
 use burmester::oracle::{Request, solve};
 use burmester::plane::Point;
 use burmester::plane::displacement::Displacement;
@@ -213,18 +214,165 @@ fn wrong_problems_are_refused_with_their_place() {
     }
 }
 
+fn place([x, y]: [&str; 2], angle: &Value, derivatives: &[[&str; 3]]) -> Value {
+    let derivatives = derivatives
+        .iter()
+        .map(|[x, y, angle]| json!({"x": x, "y": y, "angle": angle}));
+    let derivatives: Vec<Value> = derivatives.collect();
+    json!({"x": x, "y": y, "angle": angle, "derivatives": derivatives})
+}
+
+fn tan_half(t: &str) -> Value {
+    json!({"tan_half": t})
+}
+
+/// Answered, and found right by the checker.
+fn family_of(positions: &Value) -> Value {
+    let problem = json!({"problem": "mixed-positions", "positions": positions});
+    let answer = answered(positions);
+    assert!(answer.get("undecided").is_none(), "{answer}");
+    let verdict = check_answer(&problem, &answer);
+    let is_beside = !answer["pairs"].as_array().unwrap().is_empty()
+        || !answer["at_infinity"].as_array().unwrap().is_empty();
+    match verdict {
+        Ok(()) => {}
+        Err(Defect::Unchecked { .. }) if is_beside => {}
+        Err(defect) => panic!("{defect}: {answer}"),
+    }
+    answer["family"].clone()
+}
+
 #[test]
-fn infinitely_many_pairs_are_not_called_none() {
-    // A turn about one point, in all five positions.
-    let answer = answered(&json!([{
-        "x": 0, "y": 0, "angle": {"degrees": 0},
-        "derivatives": [
-            {"x": 0, "y": 0, "angle": 1}, {"x": 0, "y": 0, "angle": 0},
-            {"x": 0, "y": 0, "angle": 0}, {"x": 0, "y": 0, "angle": 0},
-        ],
-    }]));
-    assert!(
-        answer["pairs"].is_null() && answer["undecided"].is_string(),
+fn a_turn_and_a_translation_on_a_circle_keep_every_point() {
+    let plane = json!({"kind": "plane"});
+    let start = tan_half("0");
+    // A turn about one point; a translation as of a parallelogram.
+    let turn = [
+        ["0", "0", "1"],
+        ["0", "0", "0"],
+        ["0", "0", "0"],
+        ["0", "0", "0"],
+    ];
+    let circle = [
+        ["0", "1", "0"],
+        ["-1", "0", "0"],
+        ["0", "-1", "0"],
+        ["1", "0", "0"],
+    ];
+    for derivatives in [turn, circle] {
+        let positions = json!([place(["0", "0"], &start, &derivatives)]);
+        assert_eq!(family_of(&positions), plane);
+    }
+    let apart = json!([
+        place(["5", "0"], &start, &[["0", "1", "0"], ["-1/5", "0", "0"]]),
+        place(["3", "4"], &start, &[["4", "-3", "0"]]),
+    ]);
+    assert_eq!(family_of(&apart), plane);
+}
+
+#[test]
+fn translations_off_every_circle_have_lines_or_nothing() {
+    let line = [
+        ["1", "2", "0"],
+        ["-3", "-6", "0"],
+        ["0", "0", "0"],
+        ["1/2", "1", "0"],
+    ];
+    let positions = json!([place(["1", "1"], &tan_half("1/2"), &line)]);
+    assert_eq!(
+        family_of(&positions),
+        json!({"kind": "plane", "center": {"at_infinity": [{"exact": "2"}, {"exact": "-1"}]}})
+    );
+    let parabola = [
+        ["1", "0", "0"],
+        ["0", "2", "0"],
+        ["0", "0", "0"],
+        ["0", "0", "0"],
+    ];
+    let positions = json!([place(["1", "1"], &tan_half("1/2"), &parabola)]);
+    assert!(family_of(&positions).is_null());
+}
+
+/// Two equal positions, which have come together without any motion: the circlepoint curve of the four
+/// that are left.
+#[test]
+fn a_position_at_rest_counts_once() {
+    let four = [
+        ("0", "0", "0"),
+        ("2", "1", "1/2"),
+        ("-1", "4", "2/3"),
+        ("3", "-2", "-1/4"),
+    ];
+    let plain = four.map(|(x, y, t)| json!({"x": x, "y": y, "angle": tan_half(t)}));
+    let curve = json!({"problem": "centerpoint-curve", "positions": plain});
+    let curve = solve(&curve, &Request::default()).unwrap();
+    let mut positions = plain.to_vec();
+    positions[1]["derivatives"] = json!([{"x": 0, "y": 0, "angle": 0}]);
+    let family = family_of(&json!(positions));
+    assert_eq!(family["kind"], "circlepoint-cubic");
+    assert_eq!(family["coefficients"], curve["circlepoint"]["coefficients"]);
+}
+
+/// The moving origin is in one place in the first three positions, and in another in the last two.
+#[test]
+fn a_point_at_rest_has_any_center() {
+    let positions = json!([
+        place(
+            ["0", "0"],
+            &tan_half("0"),
+            &[["0", "0", "1"], ["0", "0", "2"]]
+        ),
+        place(["3", "1"], &tan_half("1/3"), &[["0", "0", "1"]]),
+    ]);
+    assert_eq!(
+        family_of(&positions),
+        json!({
+            "kind": "point-with-any-center", "circlepoint": [{"exact": "0"}, {"exact": "0"}],
+            "centers": ["3", "1", "-5"],
+        })
+    );
+    // The inverse motion: the points of a line have the origin for their center.
+    let inverse = json!([
+        place(
+            ["0", "0"],
+            &tan_half("0"),
+            &[["0", "0", "-1"], ["0", "0", "-2"]]
+        ),
+        // −e^{−iφ}(3 + i) for the angle −φ − t, tan φ/2 = 1/3.
+        place(["-3", "1"], &tan_half("-1/3"), &[["1", "3", "-1"]]),
+    ]);
+    assert_eq!(
+        family_of(&inverse),
+        json!({
+            "kind": "line", "coefficients": ["3", "1", "-5"],
+            "center": [{"exact": "0"}, {"exact": "0"}],
+        })
+    );
+}
+
+/// Two points on two lines: every point of the circle about them and the meet of the lines goes straight.
+#[test]
+fn a_trammel_has_a_circle() {
+    let slide = |at: [i64; 2], normal: [i64; 2]| json!({"circlepoint": at, "center": {"at_infinity": normal}});
+    let links = [slide([4, 0], [0, 1]), slide([0, 2], [1, 0])];
+    let problem = json!({"problem": "curvature", "links": links});
+    let answer = solve(&problem, &Request::default()).unwrap();
+    let coefficients = ["1", "0", "1", "-4", "-2", "0"];
+    assert_eq!(
+        answer["family"],
+        json!({"kind": "circle", "coefficients": coefficients}),
         "{answer}"
     );
+    let verdict = check_answer(&problem, &answer);
+    assert!(!matches!(verdict, Err(Defect::Wrong { .. })), "{verdict:?}");
+    assert_eq!(answer["ball_point"], json!({"undetermined": true}));
+}
+
+#[test]
+fn a_parallelogram_has_the_plane() {
+    let crank = |x: i64| json!({"circlepoint": [x, 2], "center": [x - 1, 0]});
+    let problem = json!({"problem": "curvature", "links": [crank(1), crank(6)]});
+    let answer = solve(&problem, &Request::default()).unwrap();
+    assert_eq!(answer["family"], json!({"kind": "plane"}), "{answer}");
+    assert_eq!(check_answer(&problem, &answer), Ok(()));
 }

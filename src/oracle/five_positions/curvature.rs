@@ -4,6 +4,7 @@
 use serde_json::{Map, Value, json};
 
 use super::found::Found;
+use super::known::Known;
 use super::undecided;
 use super::writer::Writer;
 use crate::curvature::canonical::{Canonical, Invariants, fixed_polode, moving_polode};
@@ -65,7 +66,7 @@ fn burmester_pairs(
     attempt: &mut Attempt,
 ) -> Map<String, Value> {
     let bits = attempt.bits;
-    let found = pairs.map(|pairs| Found::of(pairs, bits));
+    let found = Found::exact(&groups.conditions(), pairs, &Known::new(), bits);
     let mut answer = match found.filter(|found| !found.is_undecided()) {
         None => undecided(attempt),
         Some(found) => {

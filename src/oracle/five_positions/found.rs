@@ -2,7 +2,6 @@
 
 use rug::Rational;
 
-use super::Five;
 use super::known::{Alternates, Known};
 use crate::finite::five_positions::conics::{Isolated, Pair, Pairs, Place};
 use crate::finite::five_positions::enclosed;
@@ -77,9 +76,9 @@ impl Found {
         matches!(self.family, Families::Unknown)
     }
 
-    /// Of rational positions.
+    /// Of rational conditions, whatever they come from.
     pub fn exact(
-        five: &Five<Exact>,
+        conditions: &[Vec<Number<Exact>>],
         pairs: Option<&Pairs>,
         known: &Known,
         bits: u32,
@@ -87,27 +86,16 @@ impl Found {
         let pairs = pairs?;
         Some(match pairs {
             Pairs::Isolated(isolated) => Found::isolated(isolated, known, bits),
-            Pairs::Families(_) => Found {
-                family: families::family(five).map_or(Families::Unknown, Families::Known),
-                ..Found::of(pairs, bits)
-            },
-        })
-    }
-
-    /// Of rational conditions whatever they come from, with no name for families.
-    pub fn of(pairs: &Pairs, bits: u32) -> Found {
-        match pairs {
-            Pairs::Isolated(isolated) => Found::isolated(isolated, &Known::new(), bits),
             Pairs::Families(beside) => Found {
                 real: beside.iter().map(|pair| Real::exact(pair)).collect(),
                 complex: Vec::new(),
-                family: Families::Unknown,
+                family: families::family(conditions).map_or(Families::Unknown, Families::Known),
                 eliminant: None,
                 method: "exact linear algebra: the conditions depend on each other, or the two conics \
                          have a part in common",
                 alternates: None,
             },
-        }
+        })
     }
 
     /// Adds to the real pairs what they are as sums of square roots.

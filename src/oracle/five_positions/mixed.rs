@@ -4,6 +4,7 @@ use rug::Rational;
 use serde_json::{Map, Value};
 
 use super::found::Found;
+use super::known::Known;
 use super::undecided;
 use super::writer::Writer;
 use crate::curvature::mixed::{Groups, pairs};
@@ -41,19 +42,25 @@ pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Valu
         ));
     }
     let exact = groups(&given, rational);
-    let found = exact.as_ref().and_then(pairs);
+    let pairs = exact.as_ref().and_then(pairs);
     let mut answer = sharpen(request.digits, |attempt| {
         let bits = attempt.bits;
         let Some(enclosed) = groups(&given, |angle| Some(angle.rounded::<Ball>(&bits).cis()))
         else {
             return undecided(attempt);
         };
-        let found = match (&exact, &found) {
-            (Some(_), Some(pairs)) if attempt.is_repeated() => {
-                Some(Found::of(pairs, bits).with_surds(pairs))
+        let found = match &exact {
+            Some(groups) => {
+                let conditions = groups.conditions();
+                let exactly = Found::exact(&conditions, pairs.as_ref(), &Known::new(), bits);
+                match &pairs {
+                    Some(pairs) if attempt.is_repeated() => {
+                        exactly.map(|found| found.with_surds(pairs))
+                    }
+                    _ => exactly,
+                }
             }
-            (Some(_), pairs) => pairs.as_ref().map(|pairs| Found::of(pairs, bits)),
-            (None, _) => Found::enclosed(&enclosed.conditions(), bits),
+            None => Found::enclosed(&enclosed.conditions(), bits),
         };
         match found.filter(|found| !found.is_undecided()) {
             None => undecided(attempt),

@@ -69,7 +69,7 @@ fn certified(
         let positions = five(&given.rounded::<Ball>(&bits));
         let found = match (exact, &positions) {
             (Some((five, pairs)), _) => {
-                let found = Found::exact(five, pairs.as_ref(), known, bits);
+                let found = Found::exact(&rows(five), pairs.as_ref(), known, bits);
                 match pairs {
                     // What enclosures leave open, exact numbers may decide.
                     Some(pairs) if attempt.is_repeated() => {
@@ -116,7 +116,7 @@ fn of_floats(given: &Given, wishes: Option<&Wishes>, request: &Request) -> Map<S
     let positions = five.each_ref().map(Displacement::in_kind);
     let found = quick.map(|pairs| Found::floats(&pairs)).or_else(|| {
         let pairs = conics::pairs(&five);
-        Found::exact(&five, pairs.as_ref(), &Known::new(), attempt.bits)
+        Found::exact(&rows(&five), pairs.as_ref(), &Known::new(), attempt.bits)
     });
     let Some(found) = found else {
         return undecided(&mut attempt);
