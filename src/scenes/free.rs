@@ -54,8 +54,8 @@ pub trait Free<K: Real> {
         }
     }
 
-    /// The same number. Where symbols stay free, a root of it is looked for among all that there are by now, not
-    /// only among those of which it was made.
+    /// The same number. Where symbols stay free, a root of it is looked for among all that there are by
+    /// now, not only among those of which it was made.
     fn among_all(&self, number: Number<K>) -> Number<K> {
         number
     }

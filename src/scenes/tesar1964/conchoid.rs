@@ -10,8 +10,8 @@ use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const CURVE: Scene = scene!(
     "tesar1964/conchoid",
-    "A line through a fixed point, which is the origin of polar coordinates, meets a fixed line in D and carries a \
-     point at a fixed distance from D.",
+    "A line through a fixed point, which is the origin of polar coordinates, meets a fixed line in D \
+     and carries a point at a fixed distance from D.",
     build_curve,
     [
         "rho": "from the fixed point to the point of the curve, along the ray towards D",
@@ -23,10 +23,11 @@ pub const CURVE: Scene = scene!(
 
 pub const SCENE: Scene = scene!(
     "tesar1964/conchoidal-linkage",
-    "A line through the fixed point O_b = (0, 1) meets the U-axis in the output point D and carries the pin A \
-     at the distance r from D, on the side of O_b. It makes an angle alpha with the V-axis, less than a right \
-     one. O_a is the point of the V-axis that is as far from A as from A', where A is for alpha = 0; A' is always on its \
-     positive side. B is on the perpendicular to the line in O_b. Angles turn from U to V.",
+    "A line through the fixed point O_b = (0, 1) meets the U-axis in the output point D and carries \
+     the pin A at the distance r from D, on the side of O_b. It makes an angle alpha with the \
+     V-axis, less than a right one. O_a is the point of the V-axis that is as far from A as from A', \
+     where A is for alpha = 0; A' is always on its positive side. B is on the perpendicular to the \
+     line in O_b. Angles turn from U to V.",
     build,
     [
         "r": "distance of A from D",

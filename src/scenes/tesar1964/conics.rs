@@ -51,6 +51,8 @@ pub const KNOWN_ROOTS: Scene = scene!(
         "z_1": "any number",
         "z_0": "any number that is not zero",
         "rest": "the eliminant at z_1/z_0, divided by its leading coefficient and by the factors of the known roots",
+        "E": "linear coefficient of this polynomial in z_1/z_0",
+        "F": "its constant",
     ]
 );
 
@@ -180,13 +182,19 @@ fn build_known_roots<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unb
     let (z1, z0) = (free.number("z_1")?, free.number("z_0")?);
     let at = &z1 / &z0;
     let quartic = eliminant(&first, &second);
-    let factors = quartic.coefficient(4) * (&at - &points[0][0]) * (&at - &points[1][0]);
+    let rest = |at: &Number<K>| {
+        let factors = quartic.coefficient(4) * (at - &points[0][0]) * (at - &points[1][0]);
+        quartic.evaluate(at) / factors
+    };
+    let constant = rest(&Number::zero());
     let mut bindings = Bindings::new(free.precision());
     first.bind(FIRST, &mut bindings);
     second.bind(SECOND, &mut bindings);
     bindings.bind("x_{o,a}", -&points[0][0]);
     bindings.bind("x_{o,b}", -&points[1][0]);
-    bindings.bind("rest", quartic.evaluate(&at) / factors);
+    bindings.bind("rest", rest(&at));
+    bindings.bind("E", rest(&Number::one()) - 1 - &constant);
+    bindings.bind("F", constant);
     bindings.bind("z_1", z1);
     bindings.bind("z_0", z0);
     Ok(bindings)

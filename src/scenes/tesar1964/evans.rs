@@ -1,8 +1,8 @@
 //! Chapter V: Evans' linkage, from the motion of a circle of radius 1 that rolls in one of radius 2.
 //!
-//! Where the center of the rolling circle is in the direction ω, it has turned by −ω: the point z of it is at
-//! e^{iω} + e^{−iω} z. That of z = e^{2iα} is at 2 cos(ω − α) e^{iα}: each point of its edge moves along a
-//! diameter of the fixed circle.
+//! Where the center of the rolling circle is in the direction ω, it has turned by −ω: the point z of it
+//! is at e^{iω} + e^{−iω} z. That of z = e^{2iα} is at 2 cos(ω − α) e^{iα}: each point of its edge moves
+//! along a diameter of the fixed circle.
 
 use crate::formula::Bindings;
 use crate::number::{Kind, Number, Real};
@@ -14,11 +14,11 @@ use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(
     "tesar1964/evans",
-    "A circle of radius 1 that rolls in a circle of radius 2 about the origin, in the initial position. B and D \
-     are points of its edge, and move on the U-axis and on the line through the origin in the direction alpha. A is \
-     on the diameter whose end moves on the line OP_c, in the direction beta. O_a is where that line meets \
-     the normal of the path of A, through the point P_o where the circles touch. O_b is above the midpoint of \
-     B and the end of its path.",
+    "A circle of radius 1 that rolls in a circle of radius 2 about the origin, in the initial \
+     position. B and D are points of its edge, and move on the U-axis and on the line through the \
+     origin in the direction alpha. A is on the diameter whose end moves on the line OP_c, in the \
+     direction beta. O_a is where that line meets the normal of the path of A, through the point P_o \
+     where the circles touch. O_b is above the midpoint of B and the end of its path.",
     build,
     [
         "omega": "direction of the center of the rolling circle",
@@ -63,9 +63,9 @@ pub const AXIS: Scene = scene!(
 
 pub const SPECIAL: Scene = scene!(
     "tesar1964/evans-special-cases",
-    "The same with the axis OP_c along the U-axis, beta = 0, and with the path of D along the V-axis, alpha = \
-     90 deg. The places of B and D in a second position show their paths. A_s and O_s are A and O_a for \
-     rho = 0.",
+    "The same with the axis OP_c along the U-axis, beta = 0, and with the path of D along the \
+     V-axis, alpha = 90 deg. The places of B and D in a second position show their paths. A_s and \
+     O_s are A and O_a for rho = 0.",
     build_special,
     [
         "A": "pin of the crank",

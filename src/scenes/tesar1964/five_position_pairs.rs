@@ -11,18 +11,19 @@ use crate::scenes::{Free, Unbuilt};
 
 pub const FOUR: Check = Check {
     name: "four-burmester-pairs",
-    summary: "Random positions. The eliminant of the conditions for a pair has the degree four and no double root, \
-              so that there are four different pairs, real or not; all four, two and none of them are real in some of the \
-              instances. The wrong variant asks for four real ones.",
+    summary: "Random positions. The eliminant of the conditions for a pair has the degree four and \
+              no double root, so that there are four different pairs, real or not; all four, two and \
+              none of them are real in some of the instances. The wrong variant asks for four real \
+              ones.",
     run: run_four,
 };
 
 pub const SIX: Check = Check {
     name: "six-linkages-through-five-positions",
-    summary: "Random positions with four real pairs. An interval test on the conditions themselves proves each pair: its \
-              point keeps its distance from its center in all five positions. The points and the centers are \
-              different, so that every two pairs are the cranks of a four-bar, six in all. The wrong variant \
-              takes the center of another pair.",
+    summary: "Random positions with four real pairs. An interval test on the conditions themselves \
+              proves each pair: its point keeps its distance from its center in all five positions. \
+              The points and the centers are different, so that every two pairs are the cranks of a \
+              four-bar, six in all. The wrong variant takes the center of another pair.",
     run: run_six,
 };
 

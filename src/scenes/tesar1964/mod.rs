@@ -9,9 +9,10 @@
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
 //!
-//! Chapter V: U, V are right-handed coordinates of the fixed plane in the design position, and angles turn from U to
-//! V; O_a, O_b are the pivots, A, B the pins of the cranks R, T, S the coupler AB, Q the fixed link, D the
-//! output point at the distances M from A and N from B, ε the turn from AB to AD. Lengths are not directed.
+//! Chapter V: U, V are right-handed coordinates of the fixed plane in the design position, and angles
+//! turn from U to V; O_a, O_b are the pivots, A, B the pins of the cranks R, T, S the coupler AB, Q the
+//! fixed link, D the output point at the distances M from A and N from B, ε the turn from AB to AD.
+//! Lengths are not directed.
 
 pub(super) mod alternates;
 pub(super) mod ball_burmester;

@@ -7,8 +7,8 @@ use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(
     "tesar1964/origin-on-the-axis",
-    "Four positions of the moving plane in which its origin is on the X-axis, beside the position 0, in \
-     which the planes coincide. Turns and abscissas are free.",
+    "Four positions of the moving plane in which its origin is on the X-axis, beside the position 0, \
+     in which the planes coincide. Turns and abscissas are free.",
     build,
     [
         "phi_1": "turn of position 1",

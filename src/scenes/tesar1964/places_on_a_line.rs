@@ -11,19 +11,21 @@ use crate::scenes::{Free, Unbuilt};
 
 pub const COLLINEAR: Check = Check {
     name: "collinear-burmester-points",
-    summary: "Five positions, all of them free, with the moving origin on the x-axis. A combination of the four \
-              conditions for a circlepoint and its center, the determinant in which they stand beside the \
-              numbers 1 - cos phi_j, sin phi_j, a_j, is free of the center and linear in the coordinates of the \
-              circlepoint, and not zero for all: every finite pair has its circlepoint on that line. The \
-              wrong variant takes the origin off the axis in one position.",
+    summary: "Five positions, all of them free, with the moving origin on the x-axis. A combination \
+              of the four conditions for a circlepoint and its center, the determinant in which they \
+              stand beside the numbers 1 - cos phi_j, sin phi_j, a_j, is free of the center and \
+              linear in the coordinates of the circlepoint, and not zero for all: every finite pair \
+              has its circlepoint on that line. The wrong variant takes the origin off the axis in \
+              one position.",
     run: run_collinear,
 };
 
 pub const ONE_POINT: Check = Check {
     name: "one-point-with-four-places-on-a-line",
-    summary: "Random positions. The points with three places on a line, of the positions 0, 1, 2 and of 0, 1, 3, are on two \
-              circles through the image of the pole of 0 and 1, whose four places are not on a line. Their \
-              other common point has all four on one. The wrong variant asks for a fifth position too.",
+    summary: "Random positions. The points with three places on a line, of the positions 0, 1, 2 and \
+              of 0, 1, 3, are on two circles through the image of the pole of 0 and 1, whose four \
+              places are not on a line. Their other common point has all four on one. The wrong \
+              variant asks for a fifth position too.",
     run: run_one_point,
 };
 

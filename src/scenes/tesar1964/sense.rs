@@ -4,8 +4,8 @@ use crate::number::{Number, Real};
 use crate::scenes::{Free, Unbuilt};
 use std::cmp::Ordering;
 
-/// +1 or −1, the sign of a free number. Where symbols stay free it is any number: what holds for all holds for
-/// these two.
+/// +1 or −1, the sign of a free number. Where symbols stay free it is any number: what holds for all
+/// holds for these two.
 pub(super) fn sense<K: Real>(free: &mut dyn Free<K>, name: &str) -> Result<Number<K>, Unbuilt> {
     let number = free.number(name)?;
     match number.sign() {

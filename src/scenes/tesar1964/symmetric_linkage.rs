@@ -13,10 +13,10 @@ use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(
     "tesar1964/symmetric-linkage",
-    "A four-bar in its central position, with the coupler from A to B of length 2, and any point of the plane. The \
-     x-axis leads from the pivot O_a, the origin, to O_b, the coupler is parallel to it, and the output point D is \
-     on the axis of symmetry. The u-axis is the tangent of the path of D, in the direction of x; D is the origin. \
-     Angles turn from x to y.",
+    "A four-bar in its central position, with the coupler from A to B of length 2, and any point of \
+     the plane. The x-axis leads from the pivot O_a, the origin, to O_b, the coupler is parallel to \
+     it, and the output point D is on the axis of symmetry. The u-axis is the tangent of the path of \
+     D, in the direction of x; D is the origin. Angles turn from x to y.",
     build,
     not symbolic: "the sign of a",
     [

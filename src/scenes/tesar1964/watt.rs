@@ -12,10 +12,11 @@ use crate::scenes::{Free, Scene, Unbuilt};
 
 pub const SCENE: Scene = scene!(
     "tesar1964/watt",
-    "A four-bar with parallel cranks in the design position, its coupler of length 1. The V-axis is parallel to \
-     the cranks, from the pivot O_a to the pin A; the origin is the output point C, where the path of a \
-     point of the coupler line has an inflection, from the series of the closure. The output point D is on the V-axis, \
-     where all paths have one. Angles turn from U to V.",
+    "A four-bar with parallel cranks in the design position, its coupler of length 1. The V-axis is \
+     parallel to the cranks, from the pivot O_a to the pin A; the origin is the output point C, \
+     where the path of a point of the coupler line has an inflection, from the series of the \
+     closure. The output point D is on the V-axis, where all paths have one. Angles turn from U to \
+     V.",
     build,
     [
         "R": "length of the crank O_aA",
@@ -44,8 +45,8 @@ pub const SCENE: Scene = scene!(
 
 pub const ANY_POINT: Scene = scene!(
     "tesar1964/watt-coupler-point",
-    "The same with a coupler of any length, and any point of the coupler plane. The curvature of its path is that \
-     of the series of the closure.",
+    "The same with a coupler of any length, and any point of the coupler plane. The curvature of its \
+     path is that of the series of the closure.",
     build_any_point,
     [
         "R": "length of the crank O_aA",
