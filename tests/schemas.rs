@@ -126,10 +126,28 @@ fn straight_line_designs() {
             "rho": "0.2", "k": "9"}),
         json!({"kind": "conchoid", "r": "0.4", "alpha": {"degrees": "20"}, "k": "5", "n": "-1"}),
         json!({"kind": "symmetric", "a": "-2", "c": "0", "d": "4"}),
+        json!({"kind": "four-bar", "Q": "4", "R": "5", "S": "2", "T": "5", "M": "1",
+            "epsilon": {"degrees": "0"}, "phi0": {"cos": "3/5", "sin": "4/5"}, "assembly": "right"}),
     ] {
         answered(
             "straight-line",
             json!({"problem": "straight-line", "design": design}),
+        );
+    }
+}
+
+#[test]
+fn deviations() {
+    let levels = json!(["0.01", "0.05"]);
+    for design in [
+        json!({"kind": "ball-double-burmester", "alpha_a": {"degrees": "65"}, "alpha_b": {"degrees": "165"}}),
+        json!({"kind": "inflection-pole", "k": "-4", "alpha_a": {"degrees": "40"}, "alternate": "2,3"}),
+        json!({"kind": "four-bar", "Q": "4", "R": "5", "S": "2", "T": "5", "M": "1",
+            "epsilon": {"degrees": "0"}, "phi0": {"cos": "3/5", "sin": "4/5"}}),
+    ] {
+        answered(
+            "deviation",
+            json!({"problem": "deviation", "design": design, "levels": levels}),
         );
     }
 }

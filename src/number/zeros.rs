@@ -1,10 +1,11 @@
 //! All zeros of a real function on an interval, by enclosures.
 //!
-//! The function is evaluated on whole intervals, together with its derivative (as a series of order
-//! 1). An interval on which the values miss zero, or on which the function is not real, holds no zero.
-//! Where the derivative misses zero, Newton's interval N(X) = m − f(m)/f'(X) decides: inside of X it
-//! holds the only zero of X, beside X there is none. All else is halved, up to a limit; what is left
-//! then is told and not guessed.
+//! The function is evaluated on whole intervals, as a series: the first coefficients at the middle m and
+//! one more over the whole interval X enclose its values and those of its derivative,
+//! f(X) ⊂ Σ fⱼ(m)(X − m)ʲ + fₙ(X)(X − m)ⁿ. An interval on which the values miss zero, or on which the
+//! function is not real, holds no zero. Where the derivative misses zero, Newton's interval
+//! N(X) = m − f(m)/f'(X) decides: inside of X it holds the only zero of X, beside X there is none. All
+//! else is cut in two, up to a limit; what is left then is told and not guessed.
 
 use rug::Rational;
 
@@ -14,11 +15,13 @@ use super::{Ball, Number, Series};
 const BITS: u32 = 96;
 /// Intervals narrower than the whole by this power of two are not halved any more.
 const DEPTH: u32 = 34;
+/// n, the order of the series.
+const ORDER: usize = 6;
 /// So many intervals are looked at.
 const MOST_INTERVALS: usize = 40_000;
 
-/// A function of one variable with its derivative, at whole intervals: given x + t, its value and
-/// derivative at x. It has no value where it is not real for any x of the interval.
+/// A function of one variable at whole intervals, as a series: given x + t, its coefficients at x, to
+/// the order of t. It has no value where it is not real for any x of the interval.
 pub trait Function: Fn(&Number<Series<Ball>>) -> Number<Series<Ball>> {}
 impl<F: Fn(&Number<Series<Ball>>) -> Number<Series<Ball>>> Function for F {}
 
@@ -53,6 +56,17 @@ enum Found {
 
 /// All zeros of `f` from `from` to `to`.
 pub fn zeros(f: &impl Function, from: &Rational, to: &Rational) -> Zeros {
+    search(f, from, to, false)
+}
+
+/// The first zero of `f` from `from` on, if there is one up to `to`. Where something is left
+/// unresolved before it, that alone.
+pub fn first_zero(f: &impl Function, from: &Rational, to: &Rational) -> Zeros {
+    search(f, from, to, true)
+}
+
+/// From left to right.
+fn search(f: &impl Function, from: &Rational, to: &Rational, first_alone: bool) -> Zeros {
     let mut found = Zeros::default();
     let least = Rational::from(to - from) >> DEPTH;
     let mut left = vec![Interval::new(from.clone(), to.clone())];
@@ -67,6 +81,9 @@ pub fn zeros(f: &impl Function, from: &Rational, to: &Rational) -> Zeros {
                 left.extend([high, low]);
             }
             Found::Unknown => found.leave(interval),
+        }
+        if first_alone && !(found.isolated.is_empty() && found.unresolved.is_empty()) {
+            break;
         }
     }
     found
@@ -163,46 +180,52 @@ impl Interval {
         Ball::with_radius(&self.middle(), &(self.width() / 2), bits)
     }
 
-    /// x + t for all x of the interval.
-    fn variable(&self, bits: u32) -> Number<Series<Ball>> {
-        Number::from_coefficients([Number(self.ball(bits)), Number::one()], 1)
+    /// x + t for all x of the interval, to terms in tⁿ.
+    fn variable(&self, order: usize, bits: u32) -> Number<Series<Ball>> {
+        Number::from_coefficients([Number(self.ball(bits)), Number::one()], order)
+    }
+
+    /// What the function does on the interval; `None` where it is not real.
+    fn image(&self, f: &impl Function, bits: u32) -> Option<Image> {
+        let over_all = f(&self.variable(ORDER, bits));
+        let value = over_all.coefficient(0);
+        value.has_value().then_some(())?;
+        // Short numbers keep the rational ends short.
+        let middle = Ball::with_radius(&self.middle(), &Rational::new(), bits);
+        let middle = Number(middle);
+        let variable = Number::from_coefficients([middle.clone(), Number::one()], ORDER);
+        let around = f(&variable);
+        let step = Number(self.ball(bits)) - &middle;
+        let last = over_all.coefficient(ORDER);
+        let terms = |derived: bool| -> Number<Ball> {
+            // Horner, from the term over the whole interval down.
+            let factor = |j: usize| if derived { j as i64 } else { 1 };
+            let start = factor(ORDER) * &last;
+            let lowest = usize::from(derived);
+            let add = |sum: Number<Ball>, j: usize| sum * &step + factor(j) * around.coefficient(j);
+            (lowest..ORDER).rev().fold(start, add)
+        };
+        Some(Image {
+            misses_zero: value.is_zero().is_no() || terms(false).is_zero().is_no(),
+            slope: terms(true),
+            at_middle: around.coefficient(0),
+            middle,
+        })
     }
 
     /// N(X); `None` where the derivative may vanish.
     fn newton(&self, f: &impl Function, bits: u32) -> Option<Interval> {
-        let slope = f(&self.variable(bits)).coefficient(1);
-        slope.is_zero().is_no().then_some(())?;
-        // Short numbers keep the rational ends short.
-        let middle =
-            Ball::with_radius(&self.middle(), &Rational::new(), bits).midpoint_rational()?;
-        let at = Interval::new(middle.clone(), middle);
-        let value = f(&at.variable(bits)).coefficient(0);
-        let next = Number(at.ball(bits)) - value / slope;
-        Some(Interval::new(next.0.lower()?, next.0.upper()?))
-    }
-
-    /// f(m) and the slopes tell the values more closely than the interval as a whole.
-    fn look_around_middle(&self, f: &impl Function, slope: &Number<Ball>) -> Found {
-        let middle = self.middle();
-        let at = Interval::new(middle.clone(), middle).variable(BITS);
-        let step = Ball::with_radius(&Rational::new(), &(self.width() / 2), BITS);
-        let value = f(&at).coefficient(0) + slope * Number(step);
-        match value.is_zero().is_no() {
-            true => Found::Nothing,
-            false => Found::Unknown,
-        }
+        self.image(f, bits)?.newton()
     }
 
     fn look(&self, f: &impl Function) -> Found {
-        let image = f(&self.variable(BITS));
-        let value = image.coefficient(0);
-        if !value.has_value() || value.is_zero().is_no() {
+        let Some(image) = self.image(f, BITS) else {
+            return Found::Nothing;
+        };
+        if image.misses_zero {
             return Found::Nothing;
         }
-        if !image.coefficient(1).is_zero().is_no() {
-            return self.look_around_middle(f, &image.coefficient(1));
-        }
-        match self.newton(f, BITS) {
+        match image.newton() {
             None => return Found::Unknown,
             Some(newton) if newton.intersect(self).is_none() => return Found::Nothing,
             Some(_) => {}
@@ -212,6 +235,26 @@ impl Interval {
             Some(newton) if wide.from < newton.from && newton.to < wide.to => Found::Zero(wide),
             _ => Found::Unknown,
         }
+    }
+}
+
+/// A function on an interval.
+struct Image {
+    /// Whether no value is zero.
+    misses_zero: bool,
+    /// All values of the derivative.
+    slope: Number<Ball>,
+    /// The middle of the interval.
+    middle: Number<Ball>,
+    /// The value there.
+    at_middle: Number<Ball>,
+}
+
+impl Image {
+    fn newton(&self) -> Option<Interval> {
+        self.slope.is_zero().is_no().then_some(())?;
+        let next = &self.middle - &self.at_middle / &self.slope;
+        Some(Interval::new(next.0.lower()?, next.0.upper()?))
     }
 }
 

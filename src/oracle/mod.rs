@@ -76,9 +76,10 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 10] = [
+pub const PROBLEMS: [&str; 11] = [
     "centerpoint-curve",
     "curvature",
+    "deviation",
     "five-positions",
     "focal-mechanism",
     "hart",
@@ -121,6 +122,7 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
     let answer = match name {
         "centerpoint-curve" => centerpoint_curve::answer(&fields, request)?,
         "curvature" => five_positions::curvature::answer(&fields, request)?,
+        "deviation" => straight_line::deviation::answer(&fields, request)?,
         "five-positions" => five_positions::answer(&fields, request)?,
         "focal-mechanism" => focal_mechanism::answer(&fields, request)?,
         "hart" => hart::answer(&fields, request)?,

@@ -10,6 +10,7 @@ use super::no_design::NoDesign;
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::{Number, Real};
 use crate::plane::Angle;
+use crate::plane::displacement::Displacement;
 
 /// The parameters (Tesar 1964, chapter V), in units of the distance of O_b from the line.
 #[derive(Clone, Debug)]
@@ -54,5 +55,13 @@ impl<K: Real> Conchoid<K> {
             direction: Number::one(),
         }
         .checked()
+    }
+
+    /// The displacement to the position with D on the other side of the y-axis: a turn about O_b, by
+    /// which A comes to its mirror image. `None` where it is this one.
+    pub fn to_mirrored(&self) -> Option<Displacement<K>> {
+        let turn = self.alpha.times(-2).cis();
+        let moves = !(&turn - 1).is_zero().is_yes();
+        moves.then(|| Displacement::about(&Number::i(), turn))
     }
 }

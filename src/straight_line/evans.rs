@@ -10,6 +10,7 @@ use super::no_design::NoDesign;
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::{Number, Real};
 use crate::plane::Angle;
+use crate::plane::displacement::Displacement;
 
 /// The parameters (Tesar 1964, chapter V), in units of the rolling circle's radius.
 #[derive(Clone, Debug)]
@@ -61,5 +62,17 @@ impl<K: Real> Evans<K> {
             direction: ray,
         }
         .checked()
+    }
+
+    /// The displacement to the position with A mirrored in B's line, if that is the axis of A's
+    /// ellipse: a turn about B. `None` for another axis, and where A is on it.
+    pub fn to_mirrored(&self) -> Option<Displacement<K>> {
+        if !self.beta.sin().is_zero().is_yes() || self.omega.sin().is_zero().is_yes() {
+            return None;
+        }
+        let design = self.design().ok()?;
+        let [a, b] = &design.linkage.pins;
+        let turn = (a.conj() - b) / (a - b);
+        Some(Displacement::about(b, turn))
     }
 }

@@ -12,12 +12,16 @@
 //! - [`six_points`]: four infinitely near positions on the line and two more, apart or not,
 //! - [`symmetrical`]: symmetrical coupler curves, and two inflections with one tangent.
 //!
-//! Classical ones: [`watt`], [`evans`], [`conchoid`], [`symmetric`].
+//! Classical ones: [`watt`], [`evans`], [`conchoid`], [`symmetric`]; and any [`four_bar`].
+//!
+//! - [`deviation`]: how long and how closely the point keeps to the line.
 
 pub mod ball_burmester;
 pub mod conchoid;
 pub mod design;
+pub mod deviation;
 pub mod evans;
+pub mod four_bar;
 pub mod no_design;
 pub mod six_points;
 pub mod slider_crank;

@@ -7,7 +7,12 @@ use jsonschema::{Resource, Validator};
 use serde_json::Value;
 
 /// Those that others refer to.
-const COMMON: [&str; 3] = ["number", "geometry", "five-positions.answer"];
+const COMMON: [&str; 4] = [
+    "number",
+    "geometry",
+    "five-positions.answer",
+    "straight-line.problem",
+];
 
 fn schema(name: &str) -> Value {
     let path = Path::new("data/schema").join(format!("{name}.json"));

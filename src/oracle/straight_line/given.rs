@@ -38,6 +38,8 @@ pub enum Closed {
     Conchoid(Rational, Angle, Rational, i64),
     /// a, c, d.
     Symmetric([Rational; 3]),
+    /// Q, R, S, T, M; ε, φ₀; whether B is left of the line from A to O_b.
+    FourBar(Box<([Rational; 5], [Angle; 2], Option<bool>)>),
 }
 
 /// k and α_a.
@@ -67,7 +69,7 @@ pub enum Sought {
     TwoInflections,
 }
 
-const KINDS: [&str; 15] = [
+const KINDS: [&str; 16] = [
     "ball-burmester",
     "ball-double-burmester",
     "inflection-pole",
@@ -83,6 +85,7 @@ const KINDS: [&str; 15] = [
     "evans",
     "conchoid",
     "symmetric",
+    "four-bar",
 ];
 
 /// The design, and which alternates are asked for.
@@ -202,6 +205,23 @@ pub fn read(fields: &Fields<'_>) -> Result<(Given, Vec<Alternate>), ProblemError
                 fields.positive("k")?,
                 sign(fields)?,
             ))
+        }
+        "four-bar" => {
+            only(&["Q", "R", "S", "T", "M", "epsilon", "phi0", "assembly"])?;
+            let positive = |name: &str| fields.positive(name);
+            let lengths = [
+                positive("Q")?,
+                positive("R")?,
+                positive("S")?,
+                positive("T")?,
+                number("M")?,
+            ];
+            let side = fields.word("assembly", &["left", "right"])?;
+            Given::Closed(Closed::FourBar(Box::new((
+                lengths,
+                [angle("epsilon")?, angle("phi0")?],
+                side.map(|side| side == "left"),
+            ))))
         }
         _ => {
             only(&["a", "c", "d"])?;

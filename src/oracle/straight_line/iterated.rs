@@ -9,6 +9,7 @@ use crate::number::zeros::{Function, Zeros, zeros};
 use crate::number::{Ball, Number, Series};
 use crate::plane::Angle;
 use crate::straight_line::ball_burmester::{Alternate, of_slider_crank};
+use crate::straight_line::deviation::turning;
 use crate::straight_line::no_design::NoDesign;
 use crate::straight_line::six_points::{Sixth, equation};
 use crate::straight_line::slider_crank::{Assembly, joints};
@@ -169,22 +170,15 @@ fn six_points(
     Ok(Solution::of_cranks(&cranks, alternates, contact, &places))
 }
 
-/// An angle in degrees with its derivative.
+/// An angle in degrees, as a series.
 fn angle(degrees: &Number<Dual>, bits: u32) -> Angle<Dual> {
-    let scale = Number::pi(&bits) / 180;
-    let radians = Number(degrees.coefficient(0).0.with_precision(bits)) * &scale;
-    let rate = degrees.coefficient(1) * scale;
-    let (cos, sin) = (radians.clone().cos(), radians.sin());
-    let order = degrees.order().unwrap_or(1);
-    let dual = |value: &Number<Ball>, rate: Number<Ball>| {
-        Number::from_coefficients([value.clone(), rate], order)
-    };
-    Angle::from_cos_sin(dual(&cos, -(&sin * &rate)), dual(&sin, &cos * rate))
+    let direction = turning::path(degrees, bits);
+    Angle::from_cos_sin(direction.re().clone(), direction.im().clone())
 }
 
 fn input_angle(degrees: Ball, bits: u32) -> Angle<Ball> {
-    let radians = Number(degrees.with_precision(bits)) * Number::pi(&bits) / 180;
-    Angle::from_cos_sin(radians.clone().cos(), radians.sin())
+    let direction = turning::cis(&Number(degrees), bits);
+    Angle::from_cos_sin(direction.re().clone(), direction.im().clone())
 }
 
 fn in_dual(angle: &Angle<Ball>) -> Angle<Dual> {

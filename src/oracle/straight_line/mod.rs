@@ -1,5 +1,6 @@
 //! `straight-line`: linkages of which a point goes nearly straight.
 
+pub mod deviation;
 mod given;
 mod iterated;
 mod solution;

@@ -12,6 +12,7 @@ use crate::straight_line::ball_burmester::{
 use crate::straight_line::conchoid::Conchoid;
 use crate::straight_line::design::Design;
 use crate::straight_line::evans::Evans;
+use crate::straight_line::four_bar::Lengths;
 use crate::straight_line::no_design::NoDesign;
 use crate::straight_line::slider_crank::{Assembly, joints};
 use crate::straight_line::symmetric::Symmetric;
@@ -132,47 +133,56 @@ pub fn closed<K: Real>(
                 rays.iter().map(of_ray).collect()
             })
         }
-        Closed::Watt(r, t, gamma, n, k) => alone(
-            Watt {
+        Closed::Watt(r, t, gamma, n, k) => {
+            let watt = Watt {
                 r: number(r),
                 t: number(t),
                 gamma: angle(gamma)?,
                 n: *n,
                 k: number(k),
-            }
-            .design(),
-            2,
-        ),
-        Closed::Evans([alpha, beta, omega], rho, k) => alone(
-            Evans {
+            };
+            alone(watt.design(), 2, Vec::new())
+        }
+        Closed::Evans([alpha, beta, omega], rho, k) => {
+            let evans = Evans {
                 alpha: angle(alpha)?,
                 beta: angle(beta)?,
                 omega: angle(omega)?,
                 rho: number(rho),
                 k: number(k),
-            }
-            .design(),
-            0,
-        ),
-        Closed::Conchoid(r, alpha, k, n) => alone(
-            Conchoid {
+            };
+            alone(evans.design(), 0, crossing(evans.to_mirrored()))
+        }
+        Closed::Conchoid(r, alpha, k, n) => {
+            let conchoid = Conchoid {
                 r: number(r),
                 alpha: angle(alpha)?,
                 k: number(k),
                 n: *n,
-            }
-            .design(),
-            0,
-        ),
-        Closed::Symmetric([a, c, d]) => alone(
-            Symmetric {
+            };
+            alone(conchoid.design(), 0, crossing(conchoid.to_mirrored()))
+        }
+        Closed::FourBar(given) => {
+            let ([q, r, s, t, m], [epsilon, phi0], is_left) = given.as_ref();
+            let lengths = Lengths {
+                q: number(q),
+                r: number(r),
+                s: number(s),
+                t: number(t),
+                m: number(m),
+                epsilon: angle(epsilon)?,
+                phi0: angle(phi0)?,
+            };
+            alone(lengths.design(*is_left), 1, Vec::new())
+        }
+        Closed::Symmetric([a, c, d]) => {
+            let symmetric = Symmetric {
                 a: number(a),
                 c: number(c),
                 d: number(d),
-            }
-            .design(),
-            1,
-        ),
+            };
+            alone(symmetric.design(), 1, Vec::new())
+        }
     })
 }
 
@@ -229,16 +239,27 @@ fn intersection<K: Real>(
     Ok(places.iter().map(with).collect())
 }
 
+/// Another position in which D crosses the line, if there is one.
+fn crossing<K: Real>(displacement: Option<Displacement<K>>) -> Vec<Place<K>> {
+    let place = displacement.map(|displacement| Place {
+        displaced: None,
+        displacement,
+        contact: Some(0),
+    });
+    place.into_iter().collect()
+}
+
 /// One linkage, without alternates.
 fn alone<K: Real>(
     design: Result<Design<K>, NoDesign>,
     contact: usize,
+    places: Vec<Place<K>>,
 ) -> Result<Vec<Solution<K>>, NoDesign> {
     let found = Found {
         alternate: None,
         design: Ok(design?),
         contact,
-        places: Vec::new(),
+        places,
     };
     Ok(vec![Solution {
         rays: Vec::new(),

@@ -217,7 +217,7 @@ impl Attempt {
         }
         let Some(least) = place.contact else {
             let errors = errors(design, &moved);
-            let errors = errors.map(|error| self.closed_or("errors", &error));
+            let errors = errors.map(|error| self.beside_one("errors", &error));
             fields.insert("errors".into(), json!(errors));
             return Value::Object(fields);
         };
@@ -240,8 +240,8 @@ impl Attempt {
         Value::Object(fields)
     }
 
-    /// A number that may be zero without being known to be.
-    fn closed_or<K: Shown>(&mut self, name: &str, number: &Number<K>) -> Value {
+    /// A number that may be zero without being known to be: its digits are those of 1.
+    pub fn beside_one<K: Shown>(&mut self, name: &str, number: &Number<K>) -> Value {
         let size = Rational::from(1);
         match K::numeral(number) {
             Numeral::Enclosed(ball) => {
@@ -292,7 +292,7 @@ fn errors<K: Shown>(design: &Design<K>, moved: &Design<K>) -> [Number<K>; 2] {
 }
 
 /// The linkage in its design position and in others.
-fn passage<K: Shown>(design: &Design<K>, others: &[&Displacement<K>]) -> Passage<K> {
+pub fn passage<K: Shown>(design: &Design<K>, others: &[&Displacement<K>]) -> Passage<K> {
     let at = |point: &Point<K>| Joint::At(point.clone());
     let here = design.linkage.pins.each_ref().map(at);
     let there = others

@@ -1,0 +1,293 @@
+//! The arc on which D keeps within a bound of its line.
+//!
+//! From the design position the crank is turned both ways, until the deviation reaches the bound, the
+//! travel turns back, or the crank comes to a dead centre: whichever is first. Each is the first zero
+//! of a function of the crank's angle, enclosed.
+
+use rug::Rational;
+
+use super::driven::{Driven, Position};
+use super::turning::{cis, path};
+use crate::number::zeros::{Function, Zero, first_zero, zeros};
+use crate::number::{Ball, Number, Series};
+use crate::plane::Point;
+
+type Dual = Number<Series<Ball>>;
+
+/// Why an arc ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// The deviation reaches the bound.
+    Deviation,
+    /// The travel turns back.
+    Reversal,
+    /// The crank cannot be turned further.
+    DeadCentre,
+}
+
+impl End {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            End::Deviation => "deviation",
+            End::Reversal => "reversal",
+            End::DeadCentre => "dead-centre",
+        }
+    }
+}
+
+/// Where the arc ends on one side.
+#[derive(Clone, Debug)]
+pub struct Limit {
+    /// The crank's angle in degrees, from the design position.
+    pub degrees: Number<Ball>,
+    /// Why.
+    pub end: End,
+}
+
+/// A linkage whose arcs are asked for.
+pub struct Arcs {
+    driven: Driven<Ball>,
+    dual: Driven<Series<Ball>>,
+    bits: u32,
+    /// What ends every arc, backwards and forwards.
+    outer: [Limit; 2],
+}
+
+/// A whole turn; every closed path turns back within it.
+const TURN: u32 = 360;
+
+impl Arcs {
+    /// `None` where what ends the arcs could not be decided.
+    pub fn new(driven: Driven<Ball>, bits: u32) -> Option<Self> {
+        let dual = driven.map(|x| x.clone().into());
+        let mut arcs = Arcs {
+            driven,
+            dual,
+            bits,
+            outer: [-1, 1].map(|_| Limit {
+                degrees: Number::zero(),
+                end: End::Reversal,
+            }),
+        };
+        arcs.outer = [arcs.outer(-1)?, arcs.outer(1)?];
+        Some(arcs)
+    }
+
+    /// The first dead centre or reversal on one side.
+    fn outer(&self, side: i64) -> Option<Limit> {
+        let room = |degrees: &Dual| self.dual.room(&path(&(side * degrees), self.bits));
+        let dead = self.first(&room, &Rational::from(TURN))?;
+        let reach = match &dead {
+            Some(dead) => dead.0.upper()?,
+            None => Rational::from(TURN),
+        };
+        let travel = |degrees: &Dual| {
+            self.moving(&(side * degrees), |driven, position| {
+                driven.rates(position).travel
+            })
+        };
+        let turned = self.first(&travel, &reach)?;
+        let (at, end) = match (turned, dead) {
+            (Some(turned), Some(dead)) => match turned.compare(&dead)? {
+                std::cmp::Ordering::Less => (turned, End::Reversal),
+                _ => (dead, End::DeadCentre),
+            },
+            (Some(turned), None) => (turned, End::Reversal),
+            (None, Some(dead)) => (dead, End::DeadCentre),
+            (None, None) => return None,
+        };
+        Some(Limit {
+            degrees: side * at,
+            end,
+        })
+    }
+
+    /// The arc on which |v| keeps within a bound.
+    pub fn within(&self, bound: &Number<Ball>) -> Option<[Limit; 2]> {
+        Some([self.limit(bound, -1)?, self.limit(bound, 1)?])
+    }
+
+    fn limit(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
+        let outer = &self.outer[usize::from(side > 0)];
+        let square: Dual = bound.square().into();
+        let excess = |degrees: &Dual| {
+            self.moving(&(side * degrees), |driven, position| {
+                let [_, v] = driven.coordinates(position);
+                v.square() - &square
+            })
+        };
+        let reach = (side * &outer.degrees).0.upper()?;
+        let Some(crossed) = self.first(&excess, &reach)? else {
+            return Some(outer.clone());
+        };
+        // A crossing beyond the end is none.
+        match crossed.compare(&(side * &outer.degrees))? {
+            std::cmp::Ordering::Less => Some(Limit {
+                degrees: side * crossed,
+                end: End::Deviation,
+            }),
+            _ => Some(outer.clone()),
+        }
+    }
+
+    /// The first zero from the design position on; `None` where that is not decided, `Some(None)`
+    /// where there is none.
+    fn first(&self, f: &impl Function, reach: &Rational) -> Option<Option<Number<Ball>>> {
+        let found = first_zero(f, &Rational::new(), reach);
+        if !found.unresolved.is_empty() {
+            return None;
+        }
+        let zero = found.isolated.first();
+        Some(zero.map(|zero| Number(zero.ball(f, self.bits))))
+    }
+
+    /// A quantity of the moving linkage; no value where it does not come.
+    fn moving(
+        &self,
+        degrees: &Dual,
+        of: impl Fn(&Driven<Series<Ball>>, &Position<Series<Ball>>) -> Dual,
+    ) -> Dual {
+        match self.dual.position(&path(degrees, self.bits)) {
+            Some(position) => of(&self.dual, &position),
+            None => Number::zero().inverse(),
+        }
+    }
+
+    /// The position at an end. In a dead centre the sides of the triangle ABO_b are one line.
+    pub fn position(&self, limit: &Limit) -> Option<Position<Ball>> {
+        self.driven.position(&cis(&limit.degrees, self.bits))
+    }
+
+    /// u and v of a position.
+    pub fn coordinates(&self, position: &Position<Ball>) -> [Number<Ball>; 2] {
+        self.driven.coordinates(position)
+    }
+
+    /// The angles of all extremes of v within an arc, beside the design position where v has contact
+    /// of order n with 0, so that its derivative has a zero of multiplicity n. `None` where that is
+    /// not decided.
+    pub fn extremes(&self, arc: &[Limit; 2], contact: usize) -> Option<Vec<Number<Ball>>> {
+        let rate = |degrees: &Dual| {
+            self.moving(degrees, |driven, position| driven.rates(position).deviation)
+        };
+        let near = self.only_zero_within(contact)?;
+        let [from, to] = arc.each_ref().map(|limit| &limit.degrees);
+        let sides = [(from.0.lower()?, -near.clone()), (near, to.0.upper()?)];
+        let mut extremes = Vec::new();
+        for (from, to) in sides.iter().filter(|(from, to)| from < to) {
+            let found = zeros(&rate, from, to);
+            if !found.unresolved.is_empty() {
+                return None;
+            }
+            let ball = |zero: &Zero| Number(zero.ball(&rate, self.bits));
+            extremes.extend(found.isolated.iter().map(ball));
+        }
+        let [from, to] = arc;
+        extremes.retain(|at| {
+            at.compare(&from.degrees)
+                .is_some_and(std::cmp::Ordering::is_gt)
+                && at
+                    .compare(&to.degrees)
+                    .is_some_and(std::cmp::Ordering::is_lt)
+        });
+        Some(extremes)
+    }
+
+    /// An angle within which the derivative of order n + 1 of v does not vanish: there v' has no other
+    /// zeros than the n of the design position.
+    fn only_zero_within(&self, contact: usize) -> Option<Rational> {
+        let order = contact + 1;
+        (0..24).find_map(|halvings| {
+            let near = Rational::from(16) >> halvings;
+            let interval = Ball::with_radius(&Rational::new(), &near, self.bits);
+            let degrees = Number::from_coefficients([Number(interval), Number::one()], order);
+            let v = self.moving(&degrees, |driven, position| {
+                let [_, v] = driven.coordinates(position);
+                v
+            });
+            v.coefficient(order).is_zero().is_no().then_some(near)
+        })
+    }
+
+    /// O_a and O_b.
+    pub fn pivots(&self) -> &[Point<Ball>; 2] {
+        self.driven.pivots()
+    }
+
+    /// The positions within an arc in which the angle between crank and coupler is stationary, at A
+    /// and at B. That at A belongs to the distance O_aB, which is stationary where O_bB is in line with
+    /// the base, and where O_bB stands still; that at B belongs to O_bA, stationary where O_aA is in
+    /// line with the base. `None` where they are not decided.
+    pub fn transmission_extremes(&self, arc: &[Limit; 2]) -> Option<[Vec<Position<Ball>>; 2]> {
+        let [o_a, o_b] = self.dual.pivots();
+        let base = o_b - o_a;
+        let in_line = |pin: usize| {
+            self.positions_where(arc, |_, position| {
+                let arm = &position.pins[pin] - &self.dual.pivots()[pin];
+                (arm * base.conj()).im().clone()
+            })
+        };
+        let standing = self.positions_where(arc, |driven, position| driven.rates(position).rocker);
+        let [at_b, mut at_a] = [in_line(0)?, in_line(1)?];
+        at_a.extend(standing?);
+        Some([at_a, at_b])
+    }
+
+    /// The positions within an arc in which a quantity vanishes.
+    fn positions_where(
+        &self,
+        arc: &[Limit; 2],
+        of: impl Fn(&Driven<Series<Ball>>, &Position<Series<Ball>>) -> Dual,
+    ) -> Option<Vec<Position<Ball>>> {
+        let [from, to] = arc.each_ref().map(|limit| &limit.degrees);
+        let f = |degrees: &Dual| self.moving(degrees, &of);
+        let found = zeros(&f, &from.0.lower()?, &to.0.upper()?);
+        let position = |zero: &Zero| {
+            let degrees = Number(zero.ball(&f, self.bits));
+            self.driven.position(&cis(&degrees, self.bits))
+        };
+        let positions = found.isolated.iter().map(position).collect();
+        found.unresolved.is_empty().then_some(positions)?
+    }
+
+    /// The turn of T from the design position to an end, in degrees, not reduced by whole turns.
+    pub fn turn_of_rocker(&self, limit: &Limit) -> Option<Number<Ball>> {
+        let o_b = self.driven.pivots()[1].clone();
+        let arm = |degrees: &Number<Ball>| {
+            let position = self.driven.position(&cis(degrees, self.bits))?;
+            Some(&position.pins[1] - &o_b)
+        };
+        let degrees = limit.degrees.0.midpoint_rational()?;
+        let mut total = Number::<Ball>::zero();
+        let mut from = arm(&Number::zero())?;
+        let mut left = vec![(Rational::new(), degrees.clone())];
+        let mut looked_at = 0;
+        while let Some((start, end)) = left.pop() {
+            looked_at += 1;
+            let middle = Rational::from(&start + &end) / 2u32;
+            let radius = Rational::from(&end - &start).abs() / 2u32;
+            let over = Number(Ball::with_radius(&middle, &radius, self.bits));
+            let turned = arm(&over)? * from.conj();
+            let is_end = end == degrees;
+            // Within a half plane the angle has one value.
+            if turned.re().is_positive().is_yes() {
+                let at = if is_end {
+                    limit.degrees.clone()
+                } else {
+                    Number::rounded(&end, &self.bits)
+                };
+                let to = arm(&at)?;
+                let step = &to * from.conj();
+                total += step.im().clone().atan2(step.re());
+                from = to;
+            } else if looked_at < 4000 {
+                left.push((middle.clone(), end));
+                left.push((start, middle));
+            } else {
+                return None;
+            }
+        }
+        Some(total * 180 / Number::pi(&self.bits))
+    }
+}
