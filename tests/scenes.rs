@@ -24,7 +24,7 @@ use rug::Rational;
 use seed::rounds;
 
 /// Scenes without a form for all values of their parameters, and why.
-const NOT_SYMBOLIC: [(&str, &str); 17] = [
+const NOT_SYMBOLIC: [(&str, &str); 18] = [
     ("wunderlich1968/figure-2-of-any-shape", "the winding number"),
     (
         "wunderlich1968/focal-cubic",
@@ -58,6 +58,7 @@ const NOT_SYMBOLIC: [(&str, &str); 17] = [
         "tesar1964/two-known-roots",
         "a quotient of polynomials in fourteen",
     ),
+    ("tesar1964/crank", "the sign of a length"),
     (
         "tesar1964/conchoidal-fixed-link",
         "the sign of a difference",

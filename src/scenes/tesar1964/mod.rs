@@ -9,6 +9,9 @@
 //! Chapter III: the coordinates are x, y in the moving plane and X, Y in the fixed one; a, b, φ are
 //! the place of the moving origin and the turn.
 //!
+//! Chapter IV: as in chapter II, but a crank counts from its pin to its pivot. Angles are turns,
+//! counterclockwise; that of the coupler, epsilon, leads from AB to AD.
+//!
 //! Chapter V: U, V are right-handed coordinates of the fixed plane in the design position, and angles
 //! turn from U to V; O_a, O_b are the pivots, A, B the pins of the cranks R, T, S the coupler AB, Q the
 //! fixed link, D the output point at the distances M from A and N from B, ε the turn from AB to AD.
@@ -23,6 +26,9 @@ pub(super) mod conchoid;
 pub(super) mod conics;
 pub(super) mod contact_properties;
 pub(super) mod coupler_point;
+pub(super) mod coupler_triangle;
+mod crank_and_slider;
+pub(super) mod displaced_coupler;
 pub(super) mod evans;
 pub(super) mod five_position_pairs;
 pub(super) mod five_positions;
@@ -31,6 +37,7 @@ pub(super) mod four_bar;
 pub(super) mod inflection_pole;
 pub(super) mod known_center;
 pub(super) mod moving_plane;
+pub(super) mod one_intersection;
 pub(super) mod origin_on_the_axis;
 pub(super) mod places_on_a_line;
 pub(super) mod point_on_a_line;
@@ -38,7 +45,12 @@ mod pole_frame;
 pub(super) mod positions_on_a_line;
 pub(super) mod precision_points;
 mod quadratic;
+pub(super) mod second_position;
 mod sense;
 pub(super) mod slider_crank;
+pub(super) mod stationary_points;
+pub(super) mod symmetric_alternate;
+pub(super) mod symmetric_curve;
 pub(super) mod symmetric_linkage;
+pub(super) mod travel;
 pub(super) mod watt;
