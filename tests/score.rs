@@ -277,6 +277,32 @@ fn multiple_pairs_may_be_torn_apart() {
     }
 }
 
+/// A parallelogram in one position, and a turn about a point whose positions have all come together.
+#[test]
+fn pairs_of_families_of_positions_that_came_together_are_not_invented() {
+    let crank = |x: i64| json!({"circlepoint": [x, 2], "center": [x - 1, 0]});
+    let parallelogram = json!({"problem": "curvature", "links": [crank(1), crank(6)]});
+    let derivatives = [1, 0, 0, 0].map(|angle| json!({"x": 0, "y": 0, "angle": angle}));
+    let turn = json!({
+        "problem": "mixed-positions",
+        "positions": [{"x": 0, "y": 0, "angle": {"degrees": 0}, "derivatives": derivatives}],
+    });
+    for (problem, circlepoint, center) in [
+        (parallelogram, [4.0, -3.0], [3.0, -5.0]),
+        (turn, [3.0, 4.0], [0.0, 0.0]),
+    ] {
+        let kind = problem["problem"].as_str().unwrap();
+        let answer = json!({"pairs": [], "family": {"kind": "plane"}});
+        let reference = Reference::read(kind, &answer, &Value::Null).unwrap();
+        let [x, y] = center;
+        for (center, mark) in [([x, y], Mark::OfFamily), ([x, y + 1e-3], Mark::Invented)] {
+            let given = json!({"pairs": [{"circlepoint": circlepoint, "center": center}]});
+            let verdict = reference.judge(&problem, &given).unwrap();
+            assert_eq!(verdict.count(mark), 1, "{kind}: {center:?}");
+        }
+    }
+}
+
 /// Of turns about one point this point of the moving plane rests there, but for roundings.
 #[test]
 fn a_resting_point_is_of_the_family() {

@@ -70,6 +70,21 @@ impl Conditions<Complex<Ball>> {
     }
 }
 
+impl Conditions<Complex<f64>> {
+    /// The numbers next to those of enclosures.
+    pub fn in_floats(groups: &[Group<Ball>]) -> Self {
+        let nearest = |x: &Number<Ball>| x.0.midpoint_rational().map_or(f64::NAN, |q| q.to_f64());
+        Conditions::of(groups, |x| Number::from(Number(nearest(x))))
+    }
+
+    /// The largest coordinate of the positions themselves.
+    pub fn reach_in_floats(&self) -> f64 {
+        let first = self.0.iter().filter_map(|group| group.first());
+        let parts = first.flat_map(|[_, _, x, y]| [x.re().0.abs(), y.re().0.abs()]);
+        parts.fold(0.0, f64::max)
+    }
+}
+
 impl Conditions<Exact> {
     pub fn exact(five: &impl Five) -> Option<Self> {
         Some(Conditions::of(&five.exact()?, Number::clone))
@@ -210,6 +225,12 @@ impl<K: Kind> Form<K> {
     pub fn is_of_translation(&self) -> bool {
         let [.., p, q] = &self.0;
         (p.is_zero() & q.is_zero()).is_yes()
+    }
+
+    /// What xX + yY and yX − xY are multiplied with.
+    pub fn products(&self) -> [&Number<K>; 2] {
+        let [.., p, q] = &self.0;
+        [p, q]
     }
 
     /// What 1, x, y, X, Y are multiplied with.

@@ -31,7 +31,7 @@ mod all_pairs;
 mod alternates;
 mod centerpoint_curve;
 mod closure;
-mod conditions;
+pub(super) mod conditions;
 mod curve;
 mod dyads;
 mod eliminant;
@@ -62,7 +62,12 @@ use thiserror::Error;
 
 use super::input::Fields;
 use super::positions::Given;
+use crate::number::Complex;
+use conditions::{Conditions, Five};
 use rest::Rest;
+
+/// Enough for floats.
+const BITS: u32 = 128;
 
 /// What is wrong with an answer.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -130,6 +135,18 @@ pub fn check_answer(problem: &Value, answer: &Value) -> Result<(), Defect> {
         rest.after(Err(Defect::unchecked("what is said of the wishes")))?;
     }
     rest.finish()
+}
+
+/// What a pair must fulfil, in floats; `None` for a problem that does not ask for pairs.
+pub(super) fn conditions_in_floats(problem: &Value) -> Option<Conditions<Complex<f64>>> {
+    let fields = Fields::of(problem).ok()?;
+    let groups = match fields.name().ok()? {
+        "five-positions" => Given::read(&fields, 5, 5).ok()?.enclosed(BITS),
+        "mixed-positions" => mixed_positions::Given::read(&fields).ok()?.enclosed(BITS),
+        "curvature" => one_position::Given::read(&fields).ok()?.enclosed(BITS),
+        _ => return None,
+    };
+    Some(Conditions::in_floats(&groups))
 }
 
 /// What belongs to a kind of problem alone.

@@ -82,20 +82,19 @@ const AT_INFINITY: Shape = Set {
 
 const COUNTS: Shape = Fields(&[("real", ANY), ("complex", ANY), ("at_infinity", ANY)]);
 
+const FAMILY: Shape = Fields(&[
+    ("kind", Fact(&["none"])),
+    ("coefficients", UpToFactor),
+    ("circlepoint", Point),
+    ("center", Point),
+    ("centers", UpToFactor),
+]);
+
 const FIVE_POSITIONS: Shape = Fields(&[
     ("pairs", pairs(true)),
     ("complex_pairs", COMPLEX_PAIRS),
     ("at_infinity", AT_INFINITY),
-    (
-        "family",
-        Fields(&[
-            ("kind", Fact(&["none"])),
-            ("coefficients", UpToFactor),
-            ("circlepoint", Point),
-            ("center", Point),
-            ("centers", UpToFactor),
-        ]),
-    ),
+    ("family", FAMILY),
     ("counts", COUNTS),
 ]);
 
@@ -110,6 +109,7 @@ const CURVATURE: Shape = Fields(&[
     ("pairs", pairs(false)),
     ("complex_pairs", COMPLEX_PAIRS),
     ("at_infinity", AT_INFINITY),
+    ("family", FAMILY),
     ("counts", COUNTS),
 ]);
 

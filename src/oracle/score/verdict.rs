@@ -6,7 +6,7 @@ use rug::Rational;
 use serde_json::Value;
 
 use super::compare::{self, Closeness};
-use super::family::Positions;
+use super::family::Family;
 use super::matching;
 use super::number::Known;
 use super::read::{Member, Misread, Part, Source, Stated, Statements, read};
@@ -184,7 +184,7 @@ impl Reference {
         let given = read(self.shape, answer, Source::Candidate)?;
         let mut judge = Judge {
             reference: self,
-            positions: Positions::of_family(problem, &self.statements),
+            family: Family::of(problem, &self.statements),
             verdict: Verdict::default(),
             degenerate: Vec::new(),
         };
@@ -241,7 +241,7 @@ fn scale(statements: &Statements) -> Rational {
 
 struct Judge<'a> {
     reference: &'a Reference,
-    positions: Option<Positions>,
+    family: Option<Family>,
     verdict: Verdict,
     /// What makes the case degenerate, and whether it is found.
     degenerate: Vec<bool>,
@@ -402,9 +402,9 @@ impl Judge<'_> {
 
     fn is_of_family(&self, place: &str, member: &Member) -> bool {
         let pairs = place == "pairs" || place == "complex_pairs";
-        let infinitely_many = self.positions.as_ref().filter(|_| pairs);
+        let infinitely_many = self.family.as_ref().filter(|_| pairs);
         infinitely_many
-            .is_some_and(|positions| positions.hold(member, self.reference.tolerance.to_f64()))
+            .is_some_and(|family| family.holds(member, self.reference.tolerance.to_f64()))
     }
 
     fn invented(&mut self, place: &str, given: String, distance: Option<&Rational>) {
