@@ -120,14 +120,9 @@ impl<K: Kind> Conditions<K> {
         let slopes = self.0.iter().map(|group| {
             let links = links(group, pair);
             // D(t) and iD(t): how the link changes with x and with y.
-            let by_x: Vec<[Number<K>; 2]> = group
-                .iter()
-                .map(|[cos, sin, ..]| [cos.clone(), sin.clone()])
-                .collect();
-            let by_y: Vec<[Number<K>; 2]> = group
-                .iter()
-                .map(|[cos, sin, ..]| [-sin, cos.clone()])
-                .collect();
+            let turns = || group.iter().map(|[cos, sin, ..]| (cos, sin));
+            let by_x: Vec<[Number<K>; 2]> = turns().map(|(c, s)| [c.clone(), s.clone()]).collect();
+            let by_y: Vec<[Number<K>; 2]> = turns().map(|(c, s)| [-s, c.clone()]).collect();
             let slopes = links.iter().enumerate().map(|(n, [u, v])| {
                 let along = |other: &[[Number<K>; 2]]| product(&links, other, n) * 2;
                 [along(&by_x), along(&by_y), u * -2, v * -2]

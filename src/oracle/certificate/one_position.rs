@@ -1,13 +1,9 @@
-//! Whether an answer to one position of a motion is right: by velocities, accelerations and what follows
-//! of the paths.
+//! Whether an answer to one position of a motion is right.
 //!
-//! With v, a, j for the terms in t, t², t³ of a path, it has an inflection for v × a = 0, and its
-//! curvature is stationary for |v|²(v × j) = 2(v · a)(v × a). Both are polynomials in the coordinates of
-//! the point. Ball's point moves straight to the third order; it is the foot of the perpendicular from
-//! the inflection pole to the line v × j = 0 through the pole. The polodes have in the pole the
-//! curvatures a₃ + 1 (fixed) and a₃ + 2 (moving), divided by the diameter of the inflection circle.
+//! With v, a, j for the terms in t, t², t³ of a path, its curvature is stationary for
+//! |v|²(v × j) = 2(v · a)(v × a), a polynomial in the coordinates of the point.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::closure::{self, Link};
 use super::conditions::{Five, Group};
@@ -16,7 +12,7 @@ use super::geometry::Sheet;
 use super::pairs::Pairs;
 use super::rest::Rest;
 use super::shown::{decided, list};
-use super::{Defect, all_pairs, require};
+use super::{Defect, all_pairs, frame, paths, require};
 use crate::number::{Ball, Exact, Number};
 use crate::oracle::ProblemError;
 use crate::oracle::input::Fields;
@@ -98,7 +94,7 @@ impl Five for Given {
 pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
     let sheet = Sheet::of(answer)?;
     let mut rest = Rest::default();
-    rest.after(frame(&given.motion, &sheet))?;
+    rest.after(frame::check(&given.motion, &sheet))?;
     let curves = [
         ("circlepoint", given.motion.clone()),
         ("centerpoint", inverse(&given.motion)),
@@ -111,7 +107,7 @@ pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
         rest.after(sheet.up_to_factor(&shown["coefficients"], &place, own.coefficients()))?;
         rest.after(Curve(own.coefficients()).check(name, shown, &sheet))?;
     }
-    rest.after(points(given, &sheet))?;
+    rest.after(paths::check(&given.motion, &given.points, &sheet))?;
     rest.after(pairs(given, &sheet))?;
     rest.after(ball_burmester(&sheet))?;
     rest.finish()
@@ -139,129 +135,6 @@ fn ball_burmester(sheet: &Sheet<'_>) -> Result<(), Defect> {
 fn pairs(given: &Given, sheet: &Sheet<'_>) -> Result<(), Defect> {
     let pairs = Pairs::of(given, sheet)?;
     all_pairs::check(given, &pairs, sheet)
-}
-
-/// Terms of a path.
-fn term(motion: &Group<Exact>, n: usize, z: &Point) -> Point {
-    motion
-        .get(n)
-        .map_or_else(Number::zero, |displacement| displacement.of(z))
-}
-
-fn cross(left: &Point, right: &Point) -> Number<Exact> {
-    (left.conj() * right).im().clone()
-}
-
-fn dot(left: &Point, right: &Point) -> Number<Exact> {
-    (left.conj() * right).re().clone()
-}
-
-fn parts(z: &Point) -> [Number<Exact>; 2] {
-    [z.re().clone(), z.im().clone()]
-}
-
-/// What belongs to the motion itself.
-fn frame(motion: &Group<Exact>, sheet: &Sheet<'_>) -> Result<(), Defect> {
-    let answer = sheet.answer;
-    let mut rest = Rest::default();
-    // v vanishes in the pole.
-    let at = |n: usize| move |z: Point| term(motion, n, &z);
-    let velocity = at(1)(Number::zero());
-    let spin = motion
-        .get(1)
-        .map_or_else(Number::zero, |first| first.rotation.im().clone());
-    let pole = [-velocity.im(), velocity.re().clone(), spin.clone()];
-    rest.after(sheet.point(&answer["pole"], "pole", &pole))?;
-    let circle = circle(|z: Point| cross(&at(1)(z.clone()), &at(2)(z)));
-    rest.after(sheet.up_to_factor(&answer["inflection_circle"], "inflection_circle", &circle))?;
-    if spin.is_zero().is_yes() {
-        for name in ["inflection_pole", "invariants", "ball_point"] {
-            require(answer[name].is_null(), name, "the pole is at infinity")?;
-        }
-        no_polodes(answer)?;
-        return rest.finish();
-    }
-    let [x, y, w] = &pole;
-    let pole = Number::complex(x / w, y / w);
-    // The pole and the inflection pole are opposite on the circle.
-    let [a, b, c, _] = &circle;
-    let inflection_pole = Number::complex(-(b / a), -(c / a)) - &pole;
-    rest.after(sheet.finite_point(
-        &answer["inflection_pole"],
-        "inflection_pole",
-        &parts(&inflection_pole),
-    ))?;
-    let diameter = &inflection_pole - &pole;
-    if diameter.is_zero().is_yes() {
-        for name in ["invariants", "ball_point"] {
-            require(
-                answer[name].is_null(),
-                name,
-                "the inflection circle is a point",
-            )?;
-        }
-        no_polodes(answer)?;
-        return rest.finish();
-    }
-    // Seen from the pole, in diameters: with t + s₃t³ for the sine of the turn, the turn is
-    // t + (s₃ + 1/6)t³.
-    let seen = |n: usize| Number::i() * at(n)(pole.clone()) / &diameter;
-    let bent = motion
-        .get(3)
-        .map_or_else(Number::zero, |third| third.rotation.im().clone());
-    let third = seen(3) * 6;
-    let fourth = (seen(4) - Number::i() * Point::from(bent + Number::ratio(1, 6))) * 24;
-    for (name, own) in [("third", &third), ("fourth", &fourth)] {
-        let shown = &answer["invariants"][name];
-        rest.after(sheet.finite_point(shown, "invariants", &parts(own)))?;
-    }
-    let line = circle_without_square(|z: Point| cross(&at(1)(z.clone()), &at(3)(z)));
-    let line = line.ok_or_else(|| Defect::unchecked("ball_point"))?;
-    rest.after(sheet.point(
-        &answer["ball_point"],
-        "ball_point",
-        &foot(&line, &inflection_pole),
-    ))?;
-    for (name, curvature) in [("fixed", third.re() + 1), ("moving", third.re() + 2)] {
-        let center = pole.scaled(&curvature) + &diameter;
-        let [x, y] = parts(&center);
-        rest.after(sheet.point(&answer["polodes"][name], "polodes", &[x, y, curvature]))?;
-    }
-    rest.finish()
-}
-
-fn no_polodes(answer: &Value) -> Result<(), Defect> {
-    let none = ["fixed", "moving"]
-        .iter()
-        .all(|name| answer["polodes"][*name].is_null());
-    require(none, "polodes", "the polodes have no curvature here")
-}
-
-/// a (x² + y²) + b x + c y + d, from values in four points.
-fn circle(value: impl Fn(Point) -> Number<Exact>) -> [Number<Exact>; 4] {
-    let at = |x: i64, y: i64| value(Number::complex(x.into(), y.into()));
-    let (origin, right, left, up) = (at(0, 0), at(1, 0), at(-1, 0), at(0, 1));
-    let a = (&right + &left) / 2 - &origin;
-    let b = (right - left) / 2;
-    let c = up - &a - &origin;
-    [a, b, c, origin]
-}
-
-/// The same where it is known to be a line.
-fn circle_without_square(value: impl Fn(Point) -> Number<Exact>) -> Option<[Number<Exact>; 3]> {
-    let [a, b, c, d] = circle(value);
-    a.is_zero().is_yes().then_some([b, c, d])
-}
-
-/// The foot of the perpendicular from a point to a line; not determined where all of the line vanishes.
-fn foot([a, b, c]: &[Number<Exact>; 3], from: &Point) -> [Number<Exact>; 3] {
-    let size = a.square() + b.square();
-    let height = a * from.re() + b * from.im() + c;
-    [
-        from.re() * &size - a * &height,
-        from.im() * &size - b * height,
-        size,
-    ]
 }
 
 /// |v|²(v × j) − 2(v · a)(v × a).
@@ -304,72 +177,4 @@ fn inverse(motion: &Group<Exact>) -> Group<Exact> {
         }
     });
     terms.collect()
-}
-
-/// The paths of the points that were asked for.
-fn points(given: &Given, sheet: &Sheet<'_>) -> Result<(), Defect> {
-    if given.points.is_empty() {
-        let none = sheet.answer["points"].is_null();
-        return require(none, "points", "no point was asked for");
-    }
-    let shown = list(sheet.answer, "points")?;
-    let all = shown.len() == given.points.len();
-    require(all, "points", "one for each point was expected")?;
-    let mut rest = Rest::default();
-    for (shown, z) in shown.iter().zip(&given.points) {
-        rest.after(sheet.finite_point(&shown["point"], "points", &parts(z)))?;
-        let path: Vec<Point> = (0..given.motion.len())
-            .map(|n| term(&given.motion, n, z))
-            .collect();
-        rest.after(path_is_shown(&path, shown, sheet))?;
-    }
-    rest.finish()
-}
-
-/// Center of curvature, and how far the path keeps to its tangent and its circle.
-fn path_is_shown(path: &[Point], shown: &Value, sheet: &Sheet<'_>) -> Result<(), Defect> {
-    let [place, v, a, ..] = path else {
-        return Ok(());
-    };
-    // The lines of the points as far from the path in t and in t².
-    let (near, far) = (dot(v, place), dot(a, place) + v.norm() / 2);
-    let center = [
-        &near * a.im() - &far * v.im(),
-        v.re() * &far - a.re() * near,
-        cross(v, a),
-    ];
-    let mut rest = Rest::default();
-    rest.after(sheet.point(&shown["center"], "points", &center))?;
-    let tangent = v.is_zero().is_no().then(|| {
-        let across = path.iter().map(|term| cross(v, term));
-        contact(across)
-    });
-    let [x, y, w] = &center;
-    let circle = w.is_zero().is_no().then(|| {
-        let center = Number::complex(x / w, y / w);
-        let mut links = path.to_vec();
-        if let Some(start) = links.first_mut() {
-            *start = &*start - center;
-        }
-        let square = |n: usize| {
-            let pairs = links.iter().take(n + 1).zip(links.iter().take(n + 1).rev());
-            pairs.map(|(one, other)| dot(one, other)).sum()
-        };
-        contact((0..links.len()).map(square))
-    });
-    for (name, own) in [("tangent", tangent), ("circle", circle)] {
-        let right = own.unwrap_or(Value::Null);
-        let said = &shown["contact"][name];
-        require(*said == right, "points.contact", "it is of another order")?;
-    }
-    rest.finish()
-}
-
-/// The number of the last term that vanishes with all before it, from that in t on; or that all do.
-fn contact(terms: impl Iterator<Item = Number<Exact>>) -> Value {
-    let terms: Vec<Number<Exact>> = terms.skip(1).collect();
-    match terms.iter().position(|term| term.is_zero().is_no()) {
-        Some(order) => json!(order),
-        None => json!({"at_least": terms.len()}),
-    }
 }
