@@ -369,6 +369,84 @@ fn damaged_answers_to_rare_positions_are_rejected() {
     assert_all_damages_are_rejected(&["rare positions"], &all, 600);
 }
 
+/// A motion of small integers, so that much of it degenerates, in one position or in several.
+fn small_motion(random: &mut ChaCha8Rng) -> Value {
+    fn small(random: &mut ChaCha8Rng) -> i64 {
+        random.random_range(-2..3)
+    }
+    let pair = |random: &mut ChaCha8Rng| json!([small(random), small(random)]);
+    let links = |random: &mut ChaCha8Rng| {
+        let link = |random: &mut ChaCha8Rng| {
+            let (point, center) = (pair(random), pair(random));
+            match random.random_range(0..4) {
+                0 => json!({"circlepoint": point, "center": {"at_infinity": center}}),
+                1 => json!({"circlepoint": {"at_infinity": point}, "center": center}),
+                _ => json!({"circlepoint": point, "center": center}),
+            }
+        };
+        json!([link(random), link(random)])
+    };
+    match random.random_range(0..4) {
+        0 => json!({
+            "problem": "curvature", "points": [pair(random), pair(random)],
+            "invariants": {"third": pair(random), "fourth": pair(random)},
+        }),
+        1 => json!({"problem": "curvature", "links": links(random), "points": [pair(random)]}),
+        _ => {
+            let sizes: &[usize] = [
+                &[2, 1, 1, 1][..],
+                &[2, 2, 1],
+                &[3, 1, 1],
+                &[3, 2],
+                &[4, 1],
+                &[5],
+            ][random.random_range(0..6)];
+            let position = |random: &mut ChaCha8Rng, size: usize| {
+                let derivatives: Vec<Value> = (1..size)
+                    .map(|_| {
+                        let [x, y, angle] = [small(random), small(random), small(random)];
+                        json!({"x": x, "y": y, "angle": angle / 2})
+                    })
+                    .collect();
+                json!({
+                    "x": small(random), "y": small(random),
+                    "angle": {"tan_half": small(random)}, "derivatives": derivatives,
+                })
+            };
+            let positions: Vec<Value> = sizes.iter().map(|size| position(random, *size)).collect();
+            json!({"problem": "mixed-positions", "positions": positions})
+        }
+    }
+}
+
+#[test]
+fn answers_to_small_motions_are_not_found_wrong() {
+    let mut random = seed::generator("small motions");
+    let request = Request {
+        digits: 15,
+        ..Request::default()
+    };
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for _ in 0..seed::rounds(150) {
+        let problem = small_motion(&mut random);
+        let Ok(answer) = solve(&problem, &request) else {
+            continue;
+        };
+        let verdict = match check_answer(&problem, &answer) {
+            Ok(()) => "right".to_owned(),
+            Err(Defect::Unchecked { reason }) => reason,
+            Err(defect) => panic!("{problem}: {defect} {answer}"),
+        };
+        *counts.entry(verdict).or_default() += 1;
+        let family = &answer["family"]["kind"];
+        if !family.is_null() {
+            *counts.entry(family.to_string()).or_default() += 1;
+        }
+    }
+    eprintln!("{counts:#?}");
+    assert!(counts["right"] > 50, "{counts:?}");
+}
+
 /// k, α_a, α_d of slider-cranks, and what of them is 0/0.
 #[test]
 fn zero_by_zero_is_undetermined() {

@@ -8,7 +8,7 @@ use rug::Rational;
 use serde_json::Value;
 
 use super::conditions::Form;
-use super::elimination::{determinant, row};
+use super::elimination::{Row, determinant, row};
 use super::{Defect, require};
 use crate::number::linear::rank;
 use crate::number::text::parse_rational;
@@ -24,29 +24,28 @@ const TRIPLES: [[usize; 3]; 4] = [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]];
 /// The lines x = start + slope · t, y = t on which curves are compared.
 const LINES: [[i64; 2]; 5] = [[3, 1], [-7, 2], [11, -3], [2, 5], [-13, -2]];
 
-/// Whether four of the positions are translations on no circle and no line: then not even these have a
-/// pair.
+/// Whether three of the conditions, or three differences, already have no center in common for any
+/// circlepoint, nor a circlepoint for any center: as of four translations on no circle and no line.
 pub fn has_no_pair(forms: &Forms) -> bool {
+    let exchanged = forms.each_ref().map(Form::exchanged);
+    [forms, &exchanged].into_iter().all(is_never_fulfilled)
+}
+
+fn is_never_fulfilled(forms: &Forms) -> bool {
     let [first, second, third, fourth] = forms;
     let to_first = TRIPLES.map(|triple| triple.map(|i| forms[i].clone()));
     let without_first = [second, third, fourth].map(|form| form.minus(first));
     let mut triples = to_first.iter().chain([&without_first]);
-    triples.any(|triple| are_free_translations(triple).unwrap_or(false))
-}
-
-/// Whether three conditions say 0 = 1: neither circlepoint nor center stand in a sum of them.
-fn are_free_translations(triple: &[Form<Exact>; 3]) -> Option<bool> {
-    let parallel = triple.iter().all(Form::is_of_translation);
-    let rows: Vec<[Number<Exact>; 5]> = triple.iter().map(Form::linear).collect();
-    let columns = |from: usize, to: usize| -> Option<Vec<Vec<Number<Exact>>>> {
-        let part = rows.iter().map(|row| Some(row.get(from..to)?.to_vec()));
-        part.collect()
-    };
-    // 1; x, y; X, Y.
-    let free = rank(&columns(1, 5)?, 4)? == 2
-        && rank(&columns(3, 5)?, 2)? == 2
-        && rank(&columns(0, 5)?, 5)? == 3;
-    Some(parallel && free)
+    triples.any(|triple| {
+        // The same on all lines, and so everywhere.
+        let curves = LINES.map(|line| {
+            let [p, q, r] = triple.each_ref().map(|form| on_line(form, line));
+            determinant(&p, &q, &r)
+        });
+        let [one, ..] = &curves;
+        let is_same = |curve: &Poly| (curve - one).is_zero();
+        one.degree() == Some(0) && curves.iter().all(is_same)
+    })
 }
 
 /// Checks the kind and the curve of a family.
@@ -68,10 +67,14 @@ pub fn check(forms: &Forms, family: &Value) -> Result<(), Defect> {
 }
 
 /// On x = start + slope · t, y = t, the curves of every three conditions.
-fn curves(forms: &Forms, [start, slope]: [i64; 2]) -> [Poly; 4] {
-    let foot = [Number::from(start), Number::zero()];
-    let rows = forms.each_ref().map(|form| row(form, &foot, [slope, 1]));
+fn curves(forms: &Forms, line: [i64; 2]) -> [Poly; 4] {
+    let rows = forms.each_ref().map(|form| on_line(form, line));
     TRIPLES.map(|[i, j, k]| determinant(&rows[i], &rows[j], &rows[k]))
+}
+
+fn on_line(form: &Form<Exact>, [start, slope]: [i64; 2]) -> Row {
+    let foot = [Number::from(start), Number::zero()];
+    row(form, &foot, [slope, 1])
 }
 
 fn plane(forms: &Forms, family: &Value) -> Result<(), Defect> {
@@ -125,7 +128,7 @@ fn curve(forms: &Forms, coefficients: &Value, count: usize) -> Result<(), Defect
     }
     let mut same = 0;
     for line in LINES {
-        let own = on_line(&numbers, order, line);
+        let own = shown_on_line(&numbers, order, line);
         let mut common = Poly::zero();
         for cubic in curves(forms, line) {
             common = common.gcd(&cubic).ok_or_else(|| wrong("no common part"))?;
@@ -140,7 +143,7 @@ fn curve(forms: &Forms, coefficients: &Value, count: usize) -> Result<(), Defect
 }
 
 /// A curve on a line: its terms are in the order x³, x²y, …, 1.
-fn on_line(coefficients: &[Number<Exact>], order: u32, [start, slope]: [i64; 2]) -> Poly {
+fn shown_on_line(coefficients: &[Number<Exact>], order: u32, [start, slope]: [i64; 2]) -> Poly {
     let x = Poly::new(vec![start.into(), slope.into()]);
     let y = Poly::new(vec![0.into(), 1.into()]);
     let exponents = (0..=order)

@@ -6,18 +6,12 @@ use super::alternates::{self, Known, Listed};
 use super::geometry::Sheet;
 use super::pairs::{Pair, Pairs};
 use super::rest::Rest;
-use super::shown::digits;
 use super::{Defect, all_pairs, dyads};
 use crate::oracle::positions::Given;
 
 /// Checks everything but estimates and what is said of wishes.
 pub fn check(given: &Given, known: &[Known], answer: &Value) -> Result<(), Defect> {
-    let digits = digits(answer)?;
-    let sheet = Sheet {
-        answer,
-        digits,
-        bits: digits.saturating_mul(8).saturating_add(256),
-    };
+    let sheet = Sheet::of(answer)?;
     let pairs = Pairs::of(given, &sheet)?;
     let mut rest = Rest::default();
     rest.after(dyads::linkages(given, &pairs, &sheet))?;
@@ -28,7 +22,7 @@ pub fn check(given: &Given, known: &[Known], answer: &Value) -> Result<(), Defec
         &finite,
         pairs.at_infinity,
         left,
-        digits,
+        sheet.digits,
     ))?;
     rest.after(all_pairs::check(given, &pairs, &sheet))?;
     rest.finish()

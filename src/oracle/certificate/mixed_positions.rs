@@ -8,7 +8,6 @@ use super::conditions::{Five, Group};
 use super::geometry::Sheet;
 use super::pairs::Pairs;
 use super::rest::Rest;
-use super::shown::digits;
 use super::{Defect, all_pairs, dyads};
 use crate::number::{Ball, Exact, Kind, Number, Surd};
 use crate::oracle::ProblemError;
@@ -107,12 +106,7 @@ impl Five for Given {
 
 /// Checks everything but estimates.
 pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
-    let digits = digits(answer)?;
-    let sheet = Sheet {
-        answer,
-        digits,
-        bits: digits.saturating_mul(8).saturating_add(256),
-    };
+    let sheet = Sheet::of(answer)?;
     let pairs = Pairs::of(given, &sheet)?;
     let mut rest = Rest::default();
     rest.after(dyads::linkages(given, &pairs, &sheet))?;

@@ -342,7 +342,8 @@ fn is_range(cosines: &[Number<Ball>], shown: &Value, sheet: &Sheet<'_>) -> Resul
     ];
     for (name, own) in all {
         let place = format!("linkages.transmission.{name}");
-        shown::holds(&shown[name], &place, &own, sheet.digits)?;
+        let said = decided(sheet.answer, &shown[name], "linkages.transmission")?;
+        shown::holds(said, &place, &own, sheet.digits)?;
     }
     Ok(())
 }
