@@ -350,6 +350,21 @@ fn a_point_at_rest_has_any_center() {
     );
 }
 
+/// No velocity, but an acceleration: (x − y − 3)(2x² + 6x + 2y² + 2y + 5) = 0.
+#[test]
+fn a_family_may_fall_apart() {
+    let rests = [["0", "0", "0"], ["-1", "2", "-1"], ["-2", "-2", "0"]];
+    let positions = json!([
+        place(["2", "1"], &tan_half("1"), &rests),
+        place(["2", "-2"], &tan_half("-2"), &[]),
+    ]);
+    let coefficients = ["2", "-2", "2", "-2", "0", "-4", "-8", "-13", "-11", "-15"];
+    assert_eq!(
+        family_of(&positions),
+        json!({"kind": "circlepoint-cubic", "coefficients": coefficients})
+    );
+}
+
 /// Two points on two lines: every point of the circle about them and the meet of the lines goes straight.
 #[test]
 fn a_trammel_has_a_circle() {
