@@ -58,8 +58,8 @@
 //!
 //! # Theory, scenes and verdicts
 //!
-//! [`plane`], [`finite`], [`linkage`] and [`curvature`] hold geometry and theory, derived from first principles
-//! and knowing no paper. [`scenes`] are the only place where a paper's symbols meet quantities of
+//! [`plane`], [`finite`], [`linkage`], [`curvature`] and [`straight_line`] hold geometry and theory,
+//! derived from first principles and knowing no paper. [`scenes`] are the only place where a paper's symbols meet quantities of
 //! the theory. The [`ledger`] puts statement and scene together and finds the verdict:
 //!
 //! ```
@@ -102,6 +102,21 @@
 //!     assert!(b.equals(&(a * &ratio)).is_yes());
 //! }
 //! assert_eq!(curve_type(&curve), Some(CurveType::TwoBranches));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A four-bar of which a point goes nearly straight, and how nearly: by its own closure, not by the
+//! formulas that it was made with.
+//!
+//! ```
+//! use burmester::number::{Exact, Number};
+//! use burmester::straight_line::symmetric::Symmetric;
+//!
+//! // Roberts: base 4, coupler 2, cranks √10, the point 3 below the coupler.
+//! let [a, c, d] = [2, 3, 3].map(Number::<Exact>::from);
+//! let design = Symmetric { a, c, d }.design()?;
+//! let contact = design.contact(6).ok_or("a change point")?;
+//! assert_eq!((contact.least, contact.most), (1, Some(1)));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

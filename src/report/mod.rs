@@ -5,12 +5,14 @@ mod centerpoint_curve;
 mod complex;
 mod contour;
 mod curvature;
+mod deviation;
 mod five_positions;
 mod focal_mechanism;
 mod frames;
 mod hart;
 mod linkage_panels;
 mod mixed_positions;
+mod plot;
 mod poles;
 mod slider_crank;
 mod straight_line;
@@ -25,6 +27,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     match answer.get("problem")?.as_str()? {
         "centerpoint-curve" => centerpoint_curve::picture(problem, answer),
         "curvature" => curvature::picture(problem, answer),
+        "deviation" => deviation::picture(answer),
         "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
         "hart" => hart::picture(answer),

@@ -109,6 +109,9 @@ impl Problem {
         for (name, turn) in design.turns() {
             answer.insert(name.into(), attempt.turn(name, &turn));
         }
+        let [o_a, o_b] = &design.linkage.pivots;
+        let line = &design.direction * (o_b - o_a).conj();
+        answer.insert("line".into(), attempt.turn("line", &line));
         for (name, ray) in chosen.rays.iter().filter(|(name, _)| *name == "alpha_d") {
             answer.insert((*name).into(), attempt.turn(name, &ray.cis()));
         }
