@@ -123,3 +123,21 @@ fn the_steps_of_one_degree() {
         );
     }
 }
+
+/// Chebyshev's linkage 5 : 2 : 4 touches its line in the middle and at both ends, where the crank is in
+/// a dead centre or the coupler upright.
+#[test]
+fn all_extremes_of_chebyshevs_linkage() {
+    let design = json!({"kind": "symmetric", "a": "-2", "c": "0", "d": "4"});
+    let found = answer(&json!({"problem": "deviation", "design": design, "levels": ["0.01"]}));
+    assert_eq!(found.get("undecided"), None, "{found}");
+    let level = &found["levels"][0];
+    assert_eq!(level["ended_by"], json!(["deviation", "dead-centre"]));
+    let extremes = level["extremes"].as_array().unwrap();
+    let values: Vec<f64> = extremes.iter().map(|one| float(&one["v"])).collect();
+    assert_eq!(values.len(), 3, "{values:?}");
+    assert!(
+        values[0].abs() < 1e-12 && (values[1] - values[2]).abs() < 1e-12,
+        "{values:?}"
+    );
+}

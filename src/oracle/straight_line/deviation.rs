@@ -245,23 +245,18 @@ impl Level<'_> {
 
     /// Extremes of v within the arc, with their places.
     fn extremes(&self, arc: &[Limit; 2], attempt: &mut Attempt) -> Value {
-        let Some(angles) = self.arcs.extremes(arc, self.contact) else {
+        let Some(extremes) = self.arcs.extremes(arc, self.contact) else {
             return attempt.decided("extremes", None);
         };
-        let written = angles.into_iter().map(|degrees| {
-            let limit = Limit {
-                degrees,
-                end: arc[0].end,
-            };
-            let place = self.arcs.position(&limit);
-            let [u, v] = match &place {
-                Some(place) => self.arcs.coordinates(place).map(|x| x / self.unit),
-                None => return attempt.decided("extremes", None),
-            };
+        let written = extremes.into_iter().map(|extreme| {
+            let [u, v] = self
+                .arcs
+                .coordinates(&extreme.position)
+                .map(|x| x / self.unit);
             json!({
-                "phi": attempt.beside_one("extremes", &limit.degrees),
+                "phi": attempt.beside_one("extremes", &extreme.degrees),
                 "u": attempt.beside_one("extremes", &u),
-                "v": attempt.numeral("extremes", &Ball::numeral(&v)),
+                "v": attempt.beside_one("extremes", &v),
             })
         });
         written.collect()

@@ -45,6 +45,30 @@ pub struct Limit {
     pub end: End,
 }
 
+/// An extreme of the deviation.
+#[derive(Clone, Debug)]
+pub struct Extreme {
+    /// The crank's angle in degrees, from the design position.
+    pub degrees: Number<Ball>,
+    /// Where the linkage is.
+    pub position: Position<Ball>,
+}
+
+/// From the lesser to the greater, outwards.
+fn in_order(start: &Rational, end: &Number<Ball>) -> Option<[Rational; 2]> {
+    let (low, high) = (end.0.lower()?, end.0.upper()?);
+    Some(if *start < high {
+        [start.clone(), high]
+    } else {
+        [low, start.clone()]
+    })
+}
+
+/// Whether a number is surely between two others.
+fn is_between(x: &Number<Ball>, a: &Number<Ball>, b: &Number<Ball>) -> bool {
+    ((x - a) * (b - x)).is_positive().is_yes()
+}
+
 /// A linkage whose arcs are asked for.
 pub struct Arcs {
     driven: Driven<Ball>,
@@ -164,33 +188,103 @@ impl Arcs {
         self.driven.coordinates(position)
     }
 
-    /// The angles of all extremes of v within an arc, beside the design position where v has contact
-    /// of order n with 0, so that its derivative has a zero of multiplicity n. `None` where that is
-    /// not decided.
-    pub fn extremes(&self, arc: &[Limit; 2], contact: usize) -> Option<Vec<Number<Ball>>> {
+    /// All extremes of v within an arc, beside the design position where v has contact of order n with
+    /// 0, so that its derivative has a zero of multiplicity n. `None` where that is not decided.
+    pub fn extremes(&self, arc: &[Limit; 2], contact: usize) -> Option<Vec<Extreme>> {
+        let near = self.only_zero_within(contact)?;
+        let mut extremes = Vec::new();
+        for (limit, side) in arc.iter().zip([-1, 1]) {
+            // All of a short arc is near.
+            if (side * &limit.degrees).0.upper()? <= near {
+                continue;
+            }
+            let start = Rational::from(side) * &near;
+            extremes.extend(match limit.end {
+                End::DeadCentre => self.extremes_to_dead_centre(&start, limit)?,
+                _ => self.extremes_between(&start, &limit.degrees)?,
+            });
+        }
+        extremes.sort_by(|x, y| {
+            let order = x.degrees.compare(&y.degrees);
+            order.unwrap_or(std::cmp::Ordering::Equal)
+        });
+        Some(extremes)
+    }
+
+    /// Those strictly between two angles of the crank.
+    fn extremes_between(&self, start: &Rational, end: &Number<Ball>) -> Option<Vec<Extreme>> {
         let rate = |degrees: &Dual| {
             self.moving(degrees, |driven, position| driven.rates(position).deviation)
         };
-        let near = self.only_zero_within(contact)?;
-        let [from, to] = arc.each_ref().map(|limit| &limit.degrees);
-        let sides = [(from.0.lower()?, -near.clone()), (near, to.0.upper()?)];
-        let mut extremes = Vec::new();
-        for (from, to) in sides.iter().filter(|(from, to)| from < to) {
-            let found = zeros(&rate, from, to);
-            if !found.unresolved.is_empty() {
-                return None;
-            }
-            let ball = |zero: &Zero| Number(zero.ball(&rate, self.bits));
-            extremes.extend(found.isolated.iter().map(ball));
+        let [from, to] = in_order(start, end)?;
+        if from >= to {
+            return Some(Vec::new());
         }
-        let [from, to] = arc;
-        extremes.retain(|at| {
-            at.compare(&from.degrees)
-                .is_some_and(std::cmp::Ordering::is_gt)
-                && at
-                    .compare(&to.degrees)
-                    .is_some_and(std::cmp::Ordering::is_lt)
-        });
+        let found = zeros(&rate, &from, &to);
+        found.unresolved.is_empty().then_some(())?;
+        let start = Number::<Ball>::from(start.clone());
+        let extreme = |zero: &Zero| {
+            let degrees = Number(zero.ball(&rate, self.bits));
+            let inside = is_between(&degrees, &start, end);
+            let position = self.driven.position(&cis(&degrees, self.bits))?;
+            Some(inside.then_some(Extreme { degrees, position }))
+        };
+        let extremes: Option<Vec<_>> = found.isolated.iter().map(extreme).collect();
+        Some(extremes?.into_iter().flatten().collect())
+    }
+
+    /// Those up to a dead centre of O_aA. There its angle is stationary, and the other crank O_bB serves
+    /// as the driver on the last part of the way, where it does not turn back.
+    fn extremes_to_dead_centre(&self, start: &Rational, limit: &Limit) -> Option<Vec<Extreme>> {
+        let end = limit.degrees.0.midpoint_rational()?;
+        let whole = Rational::from(&end - start);
+        let from = (1..12).find_map(|halvings| {
+            let middle: Rational = &end - (whole.clone() >> halvings);
+            let from = Limit {
+                degrees: Number::rounded(&middle, &self.bits),
+                end: limit.end,
+            };
+            let rest = if whole.cmp0().is_gt() {
+                [from.clone(), limit.clone()]
+            } else {
+                [limit.clone(), from.clone()]
+            };
+            let turns_back =
+                self.positions_where(&rest, |driven, position| driven.rates(position).rocker);
+            turns_back?.is_empty().then_some(from)
+        })?;
+        let mut extremes = self.extremes_between(start, &from.degrees)?;
+        let turn = self.turn_of_rocker(limit)? - self.turn_of_rocker(&from)?;
+        let here = self.driven.position(&cis(&from.degrees, self.bits))?;
+        let exchanged = self.driven.exchanged(&here)?;
+        let dual = exchanged.map(|x| x.clone().into());
+        let rate = |degrees: &Dual| match dual.position(&path(degrees, self.bits)) {
+            Some(position) => dual.rates(&position).deviation,
+            None => Number::zero().inverse(),
+        };
+        let [low, high] = in_order(&Rational::new(), &turn)?;
+        let found = zeros(&rate, &low, &high);
+        found.unresolved.is_empty().then_some(())?;
+        let o_a = &self.driven.pivots()[0];
+        for zero in &found.isolated {
+            let turned = Number(zero.ball(&rate, self.bits));
+            if !is_between(&turned, &Number::zero(), &turn) {
+                continue;
+            }
+            let Position {
+                pins: [b, a],
+                point,
+            } = exchanged.position(&cis(&turned, self.bits))?;
+            let step = (&a - o_a) * (&here.pins[0] - o_a).conj();
+            let step = step.im().clone().atan2(step.re()) * 180 / Number::pi(&self.bits);
+            extremes.push(Extreme {
+                degrees: &from.degrees + step,
+                position: Position {
+                    pins: [a, b],
+                    point,
+                },
+            });
+        }
         Some(extremes)
     }
 

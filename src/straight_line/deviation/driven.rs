@@ -66,6 +66,24 @@ impl<K: Real> Driven<K> {
         })
     }
 
+    /// The same linkage from another of its positions on, with O_bB as the driver. `None` where this
+    /// stands in a dead centre of O_bB, or where that cannot be told.
+    pub fn exchanged(&self, from: &Position<K>) -> Option<Self> {
+        let [o_a, o_b] = self.start.pivots.clone();
+        let Position {
+            pins: [a, b],
+            point,
+        } = from.clone();
+        Driven::new(&Design {
+            linkage: CouplerPoint {
+                pivots: [o_b, o_a],
+                pins: [b, a],
+                point,
+            },
+            direction: self.direction.clone(),
+        })
+    }
+
     /// The position with the crank turned by e^{iφ}; `None` where it does not come there.
     pub fn position(&self, turn: &Point<K>) -> Option<Position<K>> {
         let CouplerPoint {
