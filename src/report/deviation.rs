@@ -73,11 +73,11 @@ fn middle_half(mut points: Vec<Point>) -> Vec<Point> {
     let mut sizes: Vec<f64> = points.iter().map(|[_, y]| y.abs()).collect();
     sizes.retain(|size| size.is_finite());
     sizes.sort_by(f64::total_cmp);
-    let Some(typical) = sizes.get(sizes.len() * 9 / 10) else {
+    let Some(typical) = sizes.get(sizes.len() * 3 / 4) else {
         return points;
     };
     for point in &mut points {
-        if point[1].abs() > 3.0 * typical {
+        if point[1].abs() > 4.0 * typical {
             point[1] = f64::NAN;
         }
     }
