@@ -392,3 +392,23 @@ fn a_symmetrical_curve_is_symmetrical() {
     }
     assert!(tried > 2, "{tried}");
 }
+
+/// A guide that is none is said to be none, not that no angle will do.
+#[test]
+fn a_guide_without_crank_says_why() {
+    let with = |kind: &str, k: &str, alpha_a: &str| {
+        let answer =
+            solve(json!({"kind": kind, "k": k, "alpha_a": {"degrees": alpha_a}, "s": "0.5"}));
+        answer["none"].as_str().unwrap().to_owned()
+    };
+    for kind in ["ball-tangent", "ball-burmester-intersection"] {
+        assert_eq!(
+            with(kind, "-1", "30"),
+            NoDesign::PinAtInfinity("A").to_string()
+        );
+        assert_eq!(with(kind, "0", "30"), NoDesign::NoLength("A").to_string());
+        assert_eq!(with(kind, "2", "0"), NoDesign::NoLength("A").to_string());
+    }
+    let one_pivot = solve(json!({"kind": "symmetric", "a": "0", "c": "1", "d": "1"}));
+    assert_eq!(one_pivot["none"], NoDesign::OnePivot.to_string());
+}

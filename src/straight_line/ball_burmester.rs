@@ -79,6 +79,9 @@ pub fn of_rays<K: Real>(
     let (ca, sa) = (alpha_a.cos(), alpha_a.sin());
     let (cb, sb) = (alpha_b.cos(), alpha_b.sin());
     let (cd, sd) = (alpha_d.cos(), alpha_d.sin());
+    if sa.is_zero().is_yes() {
+        return Err(NoDesign::NoLength("A"));
+    }
     let apart = &sa * &cd - &sd * &ca;
     if apart.is_zero().is_yes() {
         return Err(NoDesign::Rays("A and D are on one ray"));

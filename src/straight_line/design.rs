@@ -109,8 +109,9 @@ impl<K: Kind> Design<K> {
 impl<K: Real> Design<K> {
     /// The design, if its bars have a length.
     pub fn checked(self) -> Result<Self, NoDesign> {
-        let [_, r, s, t, ..] = self.squared_lengths();
-        for ((_, square), reason) in [r, s, t].iter().zip([
+        let [q, r, s, t, ..] = self.squared_lengths();
+        for ((_, square), reason) in [q, r, s, t].iter().zip([
+            NoDesign::OnePivot,
             NoDesign::NoLength("A"),
             NoDesign::OneCrank,
             NoDesign::NoLength("B"),

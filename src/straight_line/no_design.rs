@@ -17,6 +17,9 @@ pub enum NoDesign {
     /// Both cranks are the same.
     #[error("both cranks are the same")]
     OneCrank,
+    /// Both pivots are the same.
+    #[error("both cranks have one pivot, and the coupler turns about it")]
+    OnePivot,
     /// Two of the Burmester points are not real.
     #[error("the two other Burmester points are complex")]
     Complex,

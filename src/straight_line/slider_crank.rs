@@ -54,6 +54,20 @@ pub struct Displaced<K> {
     pub d: Point<K>,
 }
 
+/// The joints, if the crank has a length and its pin is finite.
+///
+/// # Errors
+/// k = −1, k = 0, α_a = 0.
+pub fn guide<K: Real>(linkage: &SliderCrank<K>) -> Result<Joints<K>, NoDesign> {
+    if (&linkage.k + 1).is_zero().is_yes() {
+        return Err(NoDesign::PinAtInfinity("A"));
+    }
+    if linkage.k.is_zero().is_yes() || linkage.alpha_a.sin().is_zero().is_yes() {
+        return Err(NoDesign::NoLength("A"));
+    }
+    Ok(joints(linkage))
+}
+
 /// The joints; no value where A is at infinity.
 pub fn joints<K: Real>(linkage: &SliderCrank<K>) -> Joints<K> {
     let (a, d) = (linkage.alpha_a.cis(), linkage.alpha_d.cis());

@@ -12,7 +12,7 @@ use crate::straight_line::ball_burmester::{Alternate, of_slider_crank};
 use crate::straight_line::deviation::turning;
 use crate::straight_line::no_design::NoDesign;
 use crate::straight_line::six_points::{Sixth, equation};
-use crate::straight_line::slider_crank::{Assembly, joints};
+use crate::straight_line::slider_crank::{Assembly, guide, joints};
 use crate::straight_line::symmetrical::{Symmetrical, rays_of_d};
 
 type Dual = Series<Ball>;
@@ -47,6 +47,13 @@ impl Iterated {
             solutions: Vec::new(),
             unresolved: Vec::new(),
         };
+        let alpha_a = self.alpha_a(bits);
+        guide(&slider_crank(
+            &self.crank,
+            &alpha_a,
+            &alpha_a,
+            &Rounded(bits),
+        ))?;
         match &self.sought {
             Sought::TwoInflections => self.two_inflections(bits, &mut outcome)?,
             _ => {

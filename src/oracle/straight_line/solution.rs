@@ -14,7 +14,7 @@ use crate::straight_line::design::Design;
 use crate::straight_line::evans::Evans;
 use crate::straight_line::four_bar::Lengths;
 use crate::straight_line::no_design::NoDesign;
-use crate::straight_line::slider_crank::{Assembly, joints};
+use crate::straight_line::slider_crank::{Assembly, Joints, guide};
 use crate::straight_line::symmetric::Symmetric;
 use crate::straight_line::symmetrical::{Symmetrical, rays_of_d};
 use crate::straight_line::watt::Watt;
@@ -111,9 +111,11 @@ pub fn closed<K: Real>(
         Closed::EqualCranks(k) => five_points(equal_cranks(&number(k)), alternates),
         Closed::SliderCrank(crank, d, displacements) => {
             let linkage = slider_crank(crank, &angle(&crank.alpha_a)?, &angle(d)?, source);
+            let joints = guide(&linkage).ok();
             let places: Vec<Place<K>> = displacements
                 .iter()
-                .flat_map(|s| places(&linkage, &number(s), None))
+                .filter_map(|s| Some(places(joints.as_ref()?, &number(s), None)))
+                .flatten()
                 .collect();
             of_slider_crank(&linkage, &linkage.infinitely_near())
                 .map(|cranks| vec![Solution::of_cranks(&cranks, alternates, 4, &places)])
@@ -125,7 +127,9 @@ pub fn closed<K: Real>(
         Closed::Symmetrical(crank, epsilon) => {
             let alpha_a = angle(&crank.alpha_a)?;
             let half = angle(epsilon)?.half().cis();
-            rays_of_d(&number(&crank.k), &alpha_a).map(|rays| {
+            let rays = guide(&slider_crank(crank, &alpha_a, &alpha_a, source))
+                .and_then(|_| rays_of_d(&number(&crank.k), &alpha_a));
+            rays.map(|rays| {
                 let of_ray = |alpha_d: &Angle<K>| {
                     let linkage = slider_crank(crank, &alpha_a, alpha_d, source);
                     Solution::symmetrical(&linkage, &half, None)
@@ -201,12 +205,7 @@ pub fn slider_crank<K: Real>(
 }
 
 /// The positions of a slider-crank with its slider displaced, in both assemblies.
-fn places<K: Real>(
-    linkage: &SliderCrank<K>,
-    s: &Number<K>,
-    contact: Option<usize>,
-) -> Vec<Place<K>> {
-    let joints = joints(linkage);
+fn places<K: Real>(joints: &Joints<K>, s: &Number<K>, contact: Option<usize>) -> Vec<Place<K>> {
     let in_assembly = |assembly: Assembly| {
         let displaced = joints.displaced(s, assembly).ok()?;
         Some(Place {
@@ -224,7 +223,7 @@ fn intersection<K: Real>(
     s: &Number<K>,
     alternates: &[Alternate],
 ) -> Result<Vec<Solution<K>>, NoDesign> {
-    let places = places(linkage, s, Some(0));
+    let places = places(&guide(linkage)?, s, Some(0));
     if places.is_empty() {
         return Err(NoDesign::OutOfReach);
     }
