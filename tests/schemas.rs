@@ -174,6 +174,36 @@ fn focal_mechanisms() {
 }
 
 #[test]
+fn four_bars() {
+    let joints = |a: [&str; 2], b: [&str; 2], o_b: [&str; 2], d: [&str; 2]| json!({"problem": "four-bar", "O_a": ["0", "0"], "A": a, "B": b, "O_b": o_b, "D": d});
+    let bars = |lengths: [&str; 5], epsilon: Value| {
+        let [q, r, s, t, m] = lengths;
+        json!({"problem": "four-bar", "Q": q, "R": r, "S": s, "T": t, "M": m, "epsilon": epsilon})
+    };
+    let mut placed = bars(["4", "2", "3", "3", "2.5"], degrees("40"));
+    placed["phi0"] = degrees("72.5");
+    placed["assembly"] = json!("right");
+    for problem in [
+        joints(["1", "2"], ["6", "5"], ["7", "1"], ["2", "8"]),
+        // Parallel cranks, D on AB.
+        joints(["0", "2"], ["4", "2"], ["4", "0"], ["1", "2"]),
+        // D in A.
+        joints(["1", "2"], ["6", "5"], ["7", "1"], ["1", "2"]),
+        bars(["4", "2", "5", "5", "5"], degrees("0")),
+        bars(["4", "2", "3", "3", "2.5"], degrees("60")),
+        bars(
+            ["2", "2", "2", "2", "1"],
+            json!({"cos": "3/5", "sin": "-4/5"}),
+        ),
+        bars(["2", "3", "4", "5", "0"], json!({"radians": "1"})),
+        placed,
+    ] {
+        let answer = answered("four-bar", problem);
+        assert!(answer.get("undecided").is_none(), "{answer}");
+    }
+}
+
+#[test]
 fn hart() {
     let answer = answered(
         "hart",

@@ -43,7 +43,8 @@ enum Command {
     /// centerpoint-curve (4 positions), five-positions (5 positions), mixed-positions (positions with
     /// derivatives, 5 in all), curvature (links or invariants, points), slider-crank-alternates (k,
     /// alpha_a, alpha_d), straight-line (a design: ball-burmester, watt, …), deviation (a design,
-    /// levels), focal-mechanism (a, b, c, d, rho), hart (m, n, d, kappa).
+    /// levels), four-bar (O_a, A, B, O_b, D, or Q, R, S, T, M, epsilon, phi0, assembly),
+    /// focal-mechanism (a, b, c, d, rho), hart (m, n, d, kappa).
     ///
     /// Numbers are strings ("3", "-5/13", "0.125") and taken exactly; angles are {"degrees": …},
     /// {"radians": …}, {"tan_half": …} or {"cos": …, "sin": …}; a position is {"x": …, "y": …,

@@ -5,6 +5,7 @@ pub mod certificate;
 mod curve_wishes;
 mod five_positions;
 mod focal_mechanism;
+mod four_bar;
 mod geometry;
 mod hart;
 mod input;
@@ -76,12 +77,13 @@ impl ProblemError {
 }
 
 /// The kinds of problem that [`solve`] knows.
-pub const PROBLEMS: [&str; 11] = [
+pub const PROBLEMS: [&str; 12] = [
     "centerpoint-curve",
     "curvature",
     "deviation",
     "five-positions",
     "focal-mechanism",
+    "four-bar",
     "hart",
     "mixed-positions",
     "poles",
@@ -125,6 +127,7 @@ pub fn solve(problem: &Value, request: &Request) -> Result<Value, ProblemError> 
         "deviation" => straight_line::deviation::answer(&fields, request)?,
         "five-positions" => five_positions::answer(&fields, request)?,
         "focal-mechanism" => focal_mechanism::answer(&fields, request)?,
+        "four-bar" => four_bar::answer(&fields, request)?,
         "hart" => hart::answer(&fields, request)?,
         "mixed-positions" => five_positions::mixed::answer(&fields, request)?,
         "poles" => poles::answer(&fields, request)?,

@@ -61,6 +61,49 @@ impl<K: Kind> Polynomial<K> {
         &self.coefficients
     }
 
+    /// j, k and cⱼₖ of all terms, by falling order.
+    pub fn terms(&self) -> impl Iterator<Item = (usize, usize, &Number<K>)> {
+        let exponents = (0..=self.order)
+            .rev()
+            .flat_map(|n| (0..=n).rev().map(move |j| (j, n - j)));
+        exponents
+            .zip(&self.coefficients)
+            .map(|((j, k), coefficient)| (j, k, coefficient))
+    }
+
+    /// The value in a point.
+    pub fn at(&self, x: &Number<K>, y: &Number<K>) -> Number<K> {
+        // In each power of x by Horner's rule in y, then the same in x.
+        let rows = (0..=self.order).rev().map(|j| {
+            let of_row = (0..=self.order - j).rev();
+            of_row.fold(Number::zero(), |sum, k| {
+                let term = self.part(j + k).get(k);
+                sum * y + term.cloned().unwrap_or_else(Number::zero)
+            })
+        });
+        rows.fold(Number::zero(), |sum, row| sum * x + row)
+    }
+
+    /// The derivatives with respect to x and to y.
+    pub fn gradient(&self) -> [Self; 2] {
+        let order = self.order.saturating_sub(1);
+        let mut both = [Self::zero(order), Self::zero(order)];
+        for (j, k, coefficient) in self.terms() {
+            let n = (j + k).saturating_sub(1);
+            // Terms of one order stand by falling j, that is by growing k.
+            for (derivative, exponent, place) in [(0, j, k), (1, k, k.saturating_sub(1))] {
+                let sum = both
+                    .get_mut(derivative)
+                    .filter(|_| exponent > 0)
+                    .and_then(|of| of.coefficients.get_mut(start(order, n) + place));
+                if let Some(sum) = sum {
+                    *sum += exponent as i64 * coefficient;
+                }
+            }
+        }
+        both
+    }
+
     /// All xʲ yᵏ with j + k at most the order.
     pub fn monomials(order: usize) -> Vec<Self> {
         let count = start(order, 0) + 1;

@@ -8,6 +8,7 @@ mod curvature;
 mod deviation;
 mod five_positions;
 mod focal_mechanism;
+mod four_bar;
 mod frames;
 mod hart;
 mod linkage_panels;
@@ -30,6 +31,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         "deviation" => deviation::picture(answer),
         "five-positions" => five_positions::picture(problem, answer),
         "focal-mechanism" => focal_mechanism::picture(problem, answer),
+        "four-bar" => four_bar::picture(answer),
         "hart" => hart::picture(answer),
         "mixed-positions" => mixed_positions::picture(problem, answer),
         "poles" => poles::picture(problem, answer),

@@ -14,12 +14,12 @@ use crate::plane::relation::distance_squared;
 const STEPS: u32 = 1440;
 
 /// The joints.
-struct Linkage {
-    o_a: Z,
-    a: Z,
-    b: Z,
-    o_b: Z,
-    d: Z,
+pub(super) struct Linkage {
+    pub(super) o_a: Z,
+    pub(super) a: Z,
+    pub(super) b: Z,
+    pub(super) o_b: Z,
+    pub(super) d: Z,
 }
 
 /// The picture of the first linkage of the answer; `None` where there is none.
@@ -102,7 +102,7 @@ pub fn picture(answer: &Value) -> Option<String> {
 }
 
 impl Linkage {
-    fn read(linkage: &Value) -> Option<Self> {
+    pub(super) fn read(linkage: &Value) -> Option<Self> {
         let at = |name: &str| finite_point(&linkage[name]).map(|[x, y]| z(x, y));
         number(&linkage["Q"])?;
         Some(Linkage {
@@ -114,12 +114,12 @@ impl Linkage {
         })
     }
 
-    fn joints(&self) -> [Point; 5] {
+    pub(super) fn joints(&self) -> [Point; 5] {
         [&self.o_a, &self.a, &self.b, &self.o_b, &self.d].map(point)
     }
 
     /// The path of D, with B to the left and to the right of the line from A to O_b.
-    fn path(&self) -> [Vec<Point>; 2] {
+    pub(super) fn path(&self) -> [Vec<Point>; 2] {
         let crank = &self.a - &self.o_a;
         let shape = (&self.d - &self.a) / (&self.b - &self.a);
         let [rod, rocker] = [

@@ -111,10 +111,12 @@ impl<K: Real> Passage<K> {
     }
 }
 
+/// The type of a four-bar by its lengths A₀A, AB, BB₀, A₀B₀; `None` where it cannot be told.
+///
 /// By the signs of the sums of two lengths against the others: only a change point has one of zero.
 /// In a linkage with a shortest link that turns fully, this one and any other are together shorter
 /// than the remaining two.
-fn four_bar_type<K: Real>([a, c, b, d]: &[Number<K>; 4]) -> Option<Type> {
+pub fn four_bar_type<K: Real>([a, c, b, d]: &[Number<K>; 4]) -> Option<Type> {
     use Ordering::{Equal, Greater, Less};
     let sums_with_a = [
         (a + b - c - d).sign()?,

@@ -17,7 +17,7 @@ mod order;
 mod transmission;
 
 pub use degenerate::Degenerate;
-pub use grashof::Type;
+pub use grashof::{Type, four_bar_type};
 pub use joint::Joint;
 pub use order::is_in_order;
 
