@@ -18,7 +18,7 @@ const DEPTH: u32 = 34;
 /// n, the order of the series.
 const ORDER: usize = 6;
 /// So many intervals are looked at.
-const MOST_INTERVALS: usize = 40_000;
+const MOST_INTERVALS: usize = 10_000;
 
 /// A function of one variable at whole intervals, as a series: given x + t, its coefficients at x, to
 /// the order of t. It has no value where it is not real for any x of the interval.
@@ -126,7 +126,7 @@ impl Zero {
             else {
                 break;
             };
-            let settled = next.width() * 4u32 > Rational::from(&interval.width() * 3u32);
+            let settled = next.width() * 4u32 >= interval.width() * 3u32;
             interval = next;
             if settled {
                 if precision == bits {

@@ -56,6 +56,10 @@ pub fn equation<K: Real>(
         Sixth::Tangent(s, side) => rate_of_eta(&joints, s, *side),
         Sixth::BallBurmester(s, side) => {
             let (ca, sd) = (linkage.alpha_a.cos(), linkage.alpha_d.sin());
+            if ca.is_zero().is_yes() {
+                // Without the factor k cos α_d, that vanishes by itself.
+                return Ok(1 - eta_at(s, *side)?);
+            }
             let k_sin = &linkage.k * (&linkage.alpha_a - &linkage.alpha_d).sin();
             Ok(k_sin * (1 - eta_at(s, *side)?) - 2 * sd * ca)
         }
