@@ -263,20 +263,20 @@ fn six_points_on_the_line() {
         fields.extend(more.as_object().unwrap().clone());
         solve(design)
     };
-    let range = json!({"from": "20", "to": "60"});
+    let range = |from: &str, to: &str| json!({"from": from, "to": to});
     for (more, here, there) in [
         (
-            json!({"kind": "ball-burmester-intersection", "s": "0.5", "alpha_d": range}),
+            json!({"kind": "ball-burmester-intersection", "s": "0.5", "alpha_d": range("30", "40")}),
             4,
             vec![0],
         ),
         (
-            json!({"kind": "ball-tangent", "s": "0.5", "alpha_d": range}),
+            json!({"kind": "ball-tangent", "s": "0.5", "alpha_d": range("20", "30")}),
             3,
             vec![1],
         ),
         (
-            json!({"kind": "ball-two-intersections", "s": ["0.5", "-0.3"], "alpha_d": range}),
+            json!({"kind": "ball-two-intersections", "s": ["0.5", "-0.3"], "alpha_d": range("40", "50")}),
             3,
             vec![0, 0],
         ),

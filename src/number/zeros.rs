@@ -15,10 +15,8 @@ use super::{Ball, Number, Series};
 const BITS: u32 = 96;
 /// Intervals narrower than the whole by this power of two are not halved any more.
 const DEPTH: u32 = 34;
-/// n, the order of the series.
-const ORDER: usize = 6;
 /// So many intervals are looked at.
-const MOST_INTERVALS: usize = 10_000;
+const MOST_INTERVALS: usize = 40_000;
 
 /// A function of one variable at whole intervals, as a series: given x + t, its coefficients at x, to
 /// the order of t. It has no value where it is not real for any x of the interval.
@@ -39,6 +37,7 @@ pub struct Zeros {
 #[derive(Clone, Debug)]
 pub struct Zero {
     interval: Interval,
+    order: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -54,28 +53,42 @@ enum Found {
     Unknown,
 }
 
-/// All zeros of `f` from `from` to `to`.
-pub fn zeros(f: &impl Function, from: &Rational, to: &Rational) -> Zeros {
-    search(f, from, to, false)
+/// All zeros of `f` from `from` to `to`, by series of order n, from 1 on: the higher, the wider the
+/// intervals on which a function that touches zero closely is told apart from it, and the longer each
+/// takes.
+pub fn zeros(f: &impl Function, order: usize, from: &Rational, to: &Rational) -> Zeros {
+    search(f, order, from, to, false)
 }
 
 /// The first zero of `f` from `from` on, if there is one up to `to`. Where something is left
 /// unresolved before it, that alone.
-pub fn first_zero(f: &impl Function, from: &Rational, to: &Rational) -> Zeros {
-    search(f, from, to, true)
+pub fn first_zero(f: &impl Function, order: usize, from: &Rational, to: &Rational) -> Zeros {
+    search(f, order, from, to, true)
 }
 
 /// From left to right.
-fn search(f: &impl Function, from: &Rational, to: &Rational, first_alone: bool) -> Zeros {
+fn search(
+    f: &impl Function,
+    order: usize,
+    from: &Rational,
+    to: &Rational,
+    first_alone: bool,
+) -> Zeros {
     let mut found = Zeros::default();
     let least = Rational::from(to - from) >> DEPTH;
     let mut left = vec![Interval::new(from.clone(), to.clone())];
     let mut looked_at = 0;
     while let Some(interval) = left.pop() {
         looked_at += 1;
-        match interval.look(f) {
+        match interval.look(f, order) {
             Found::Nothing => {}
-            Found::Zero(within) => found.add(Zero { interval: within }, f, from, to),
+            Found::Zero(within) => {
+                let zero = Zero {
+                    interval: within,
+                    order,
+                };
+                found.add(zero, f, from, to);
+            }
             Found::Unknown if interval.width() > least && looked_at < MOST_INTERVALS => {
                 let [low, high] = interval.parts();
                 left.extend([high, low]);
@@ -121,7 +134,7 @@ impl Zero {
         let mut precision = BITS.min(bits);
         loop {
             let Some(next) = interval
-                .newton(f, precision)
+                .newton(f, self.order, precision)
                 .and_then(|newton| newton.intersect(&interval))
             else {
                 break;
@@ -186,24 +199,24 @@ impl Interval {
     }
 
     /// What the function does on the interval; `None` where it is not real.
-    fn image(&self, f: &impl Function, bits: u32) -> Option<Image> {
-        let over_all = f(&self.variable(ORDER, bits));
+    fn image(&self, f: &impl Function, order: usize, bits: u32) -> Option<Image> {
+        let over_all = f(&self.variable(order, bits));
         let value = over_all.coefficient(0);
         value.has_value().then_some(())?;
         // Short numbers keep the rational ends short.
         let middle = Ball::with_radius(&self.middle(), &Rational::new(), bits);
         let middle = Number(middle);
-        let variable = Number::from_coefficients([middle.clone(), Number::one()], ORDER);
+        let variable = Number::from_coefficients([middle.clone(), Number::one()], order);
         let around = f(&variable);
         let step = Number(self.ball(bits)) - &middle;
-        let last = over_all.coefficient(ORDER);
+        let last = over_all.coefficient(order);
         let terms = |derived: bool| -> Number<Ball> {
             // Horner, from the term over the whole interval down.
             let factor = |j: usize| if derived { j as i64 } else { 1 };
-            let start = factor(ORDER) * &last;
+            let start = factor(order) * &last;
             let lowest = usize::from(derived);
             let add = |sum: Number<Ball>, j: usize| sum * &step + factor(j) * around.coefficient(j);
-            (lowest..ORDER).rev().fold(start, add)
+            (lowest..order).rev().fold(start, add)
         };
         Some(Image {
             misses_zero: value.is_zero().is_no() || terms(false).is_zero().is_no(),
@@ -214,12 +227,12 @@ impl Interval {
     }
 
     /// N(X); `None` where the derivative may vanish.
-    fn newton(&self, f: &impl Function, bits: u32) -> Option<Interval> {
-        self.image(f, bits)?.newton()
+    fn newton(&self, f: &impl Function, order: usize, bits: u32) -> Option<Interval> {
+        self.image(f, order, bits)?.newton()
     }
 
-    fn look(&self, f: &impl Function) -> Found {
-        let Some(image) = self.image(f, BITS) else {
+    fn look(&self, f: &impl Function, order: usize) -> Found {
+        let Some(image) = self.image(f, order, BITS) else {
             return Found::Nothing;
         };
         if image.misses_zero {
@@ -231,7 +244,7 @@ impl Interval {
             Some(_) => {}
         }
         let wide = self.widened();
-        match wide.newton(f, BITS) {
+        match wide.newton(f, order, BITS) {
             Some(newton) if wide.from < newton.from && newton.to < wide.to => Found::Zero(wide),
             _ => Found::Unknown,
         }
@@ -266,7 +279,7 @@ mod tests {
     type S = Number<Series<Ball>>;
 
     fn found(f: impl Fn(&S) -> S, from: i64, to: i64) -> (Vec<f64>, usize) {
-        let zeros = zeros(&f, &from.into(), &to.into());
+        let zeros = zeros(&f, 3, &from.into(), &to.into());
         let isolated = zeros.isolated.iter().map(|zero| {
             let ball = zero.ball(&f, 200);
             assert!(

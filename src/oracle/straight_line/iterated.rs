@@ -119,7 +119,7 @@ impl Iterated {
                 .unwrap_or_else(|reason| Solution::none(&alpha_d, reason))
         };
         let [from, to] = &self.range;
-        outcome.add(zeros(&f, from, to), solution, &f, bits);
+        outcome.add(zeros(&f, 1, from, to), solution, &f, bits);
     }
 
     fn two_inflections(&self, bits: u32, outcome: &mut Outcome) -> Result<(), NoDesign> {
@@ -138,7 +138,7 @@ impl Iterated {
                 Symmetrical::new(&wide, &half).tangents_differ()
             };
             let [from, to] = &self.range;
-            let mut zeros = zeros(&f, from, to);
+            let mut zeros = zeros(&f, 1, from, to);
             // For ε = 0 it vanishes without a linkage.
             zeros
                 .isolated

@@ -78,6 +78,8 @@ pub struct Arcs {
     outer: [Limit; 2],
 }
 
+/// Of the series by which zeros are found: the deviation touches zero in the design position.
+const ORDER: usize = 6;
 /// A whole turn; every closed path turns back within it.
 const TURN: u32 = 360;
 
@@ -158,7 +160,7 @@ impl Arcs {
     /// The first zero from the design position on; `None` where that is not decided, `Some(None)`
     /// where there is none.
     fn first(&self, f: &impl Function, reach: &Rational) -> Option<Option<Number<Ball>>> {
-        let found = first_zero(f, &Rational::new(), reach);
+        let found = first_zero(f, ORDER, &Rational::new(), reach);
         if !found.unresolved.is_empty() {
             return None;
         }
@@ -220,7 +222,7 @@ impl Arcs {
         if from >= to {
             return Some(Vec::new());
         }
-        let found = zeros(&rate, &from, &to);
+        let found = zeros(&rate, ORDER, &from, &to);
         found.unresolved.is_empty().then_some(())?;
         let start = Number::<Ball>::from(start.clone());
         let extreme = |zero: &Zero| {
@@ -263,7 +265,7 @@ impl Arcs {
             None => Number::zero().inverse(),
         };
         let [low, high] = in_order(&Rational::new(), &turn)?;
-        let found = zeros(&rate, &low, &high);
+        let found = zeros(&rate, ORDER, &low, &high);
         found.unresolved.is_empty().then_some(())?;
         let o_a = &self.driven.pivots()[0];
         for zero in &found.isolated {
@@ -336,7 +338,7 @@ impl Arcs {
     ) -> Option<Vec<Position<Ball>>> {
         let [from, to] = arc.each_ref().map(|limit| &limit.degrees);
         let f = |degrees: &Dual| self.moving(degrees, &of);
-        let found = zeros(&f, &from.0.lower()?, &to.0.upper()?);
+        let found = zeros(&f, ORDER, &from.0.lower()?, &to.0.upper()?);
         let position = |zero: &Zero| {
             let degrees = Number(zero.ball(&f, self.bits));
             self.driven.position(&cis(&degrees, self.bits))
