@@ -198,11 +198,11 @@ impl Interval {
         Number::from_coefficients([Number(self.ball(bits)), Number::one()], order)
     }
 
-    /// What the function does on the interval; `None` where it is not real.
+    /// What the function does on the interval; `None` where it is not real, or surely not zero.
     fn image(&self, f: &impl Function, order: usize, bits: u32) -> Option<Image> {
         let over_all = f(&self.variable(order, bits));
         let value = over_all.coefficient(0);
-        value.has_value().then_some(())?;
+        (value.has_value() && !value.is_zero().is_no()).then_some(())?;
         // Short numbers keep the rational ends short.
         let middle = Ball::with_radius(&self.middle(), &Rational::new(), bits);
         let middle = Number(middle);
@@ -218,8 +218,8 @@ impl Interval {
             let add = |sum: Number<Ball>, j: usize| sum * &step + factor(j) * around.coefficient(j);
             (lowest..order).rev().fold(start, add)
         };
+        (!terms(false).is_zero().is_no()).then_some(())?;
         Some(Image {
-            misses_zero: value.is_zero().is_no() || terms(false).is_zero().is_no(),
             slope: terms(true),
             at_middle: around.coefficient(0),
             middle,
@@ -235,9 +235,6 @@ impl Interval {
         let Some(image) = self.image(f, order, BITS) else {
             return Found::Nothing;
         };
-        if image.misses_zero {
-            return Found::Nothing;
-        }
         match image.newton() {
             None => return Found::Unknown,
             Some(newton) if newton.intersect(self).is_none() => return Found::Nothing,
@@ -253,8 +250,6 @@ impl Interval {
 
 /// A function on an interval.
 struct Image {
-    /// Whether no value is zero.
-    misses_zero: bool,
     /// All values of the derivative.
     slope: Number<Ball>,
     /// The middle of the interval.

@@ -32,26 +32,13 @@ pub fn picture(answer: &Value) -> Option<String> {
         canvas.line(around(center, radius), Stroke::MainPath);
     }
     let foci: Vec<Point> = points(&answer["foci"], |focus| focus);
-    let [o_a, a, b, o_b, d] = linkage.joints();
     for [_, pin] in cognate_bars(answer) {
         canvas.show(pin);
     }
     for bar in cognate_bars(answer) {
         canvas.line(bar, Stroke::Construction);
     }
-    canvas.line([o_a, o_b], Stroke::Base);
-    canvas.line([o_a, a], Stroke::Crank);
-    canvas.line([o_b, b], Stroke::Crank);
-    canvas.line([a, b, d, a], Stroke::Bar);
-    for (at, joint, name) in [
-        (o_a, Joint::Fixed, "Oa"),
-        (o_b, Joint::Fixed, "Ob"),
-        (a, Joint::Moving, "A"),
-        (b, Joint::Moving, "B"),
-        (d, Joint::Moving, "D"),
-    ] {
-        canvas.joint(at, joint, name);
-    }
+    linkage.draw(&mut canvas);
     if let [_, _, third] = foci.as_slice() {
         canvas.joint(*third, Joint::Fixed, "Oc");
     }

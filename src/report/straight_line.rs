@@ -65,20 +65,7 @@ pub fn picture(answer: &Value) -> Option<String> {
         [x + u, y + v]
     };
     canvas.line([along(-1.0), along(1.0)], Stroke::Guide);
-    let [o_a, a, b, o_b, d] = joints;
-    canvas.line([o_a, o_b], Stroke::Base);
-    canvas.line([o_a, a], Stroke::Crank);
-    canvas.line([o_b, b], Stroke::Crank);
-    canvas.line([a, b, d, a], Stroke::Bar);
-    for (at, joint, name) in [
-        (o_a, Joint::Fixed, "Oa"),
-        (o_b, Joint::Fixed, "Ob"),
-        (a, Joint::Moving, "A"),
-        (b, Joint::Moving, "B"),
-        (d, Joint::Moving, "D"),
-    ] {
-        canvas.joint(at, joint, name);
-    }
+    linkage.draw(&mut canvas);
     for (number, at) in met.into_iter().enumerate() {
         canvas.joint(at, Joint::Mark, &format!("D{}", number + 2));
     }
@@ -116,6 +103,24 @@ impl Linkage {
 
     pub(super) fn joints(&self) -> [Point; 5] {
         [&self.o_a, &self.a, &self.b, &self.o_b, &self.d].map(point)
+    }
+
+    /// Base, cranks and coupler with the joints.
+    pub(super) fn draw(&self, canvas: &mut Canvas) {
+        let [o_a, a, b, o_b, d] = self.joints();
+        canvas.line([o_a, o_b], Stroke::Base);
+        canvas.line([o_a, a], Stroke::Crank);
+        canvas.line([o_b, b], Stroke::Crank);
+        canvas.line([a, b, d, a], Stroke::Bar);
+        for (at, joint, name) in [
+            (o_a, Joint::Fixed, "Oa"),
+            (o_b, Joint::Fixed, "Ob"),
+            (a, Joint::Moving, "A"),
+            (b, Joint::Moving, "B"),
+            (d, Joint::Moving, "D"),
+        ] {
+            canvas.joint(at, joint, name);
+        }
     }
 
     /// The path of D, with B to the left and to the right of the line from A to O_b.

@@ -1,7 +1,8 @@
 //! Linkages of which a point goes nearly straight.
 //!
 //! - [`design`]: a four-bar in its design position, with the direction in which its point goes,
-//! - [`no_design`]: why parameters have none.
+//! - [`no_design`]: why parameters have none,
+//! - [`turning`]: angles in degrees, as series.
 //!
 //! By curvature theory, seen from the pole, with the pole tangent as x-axis and the diameter of the
 //! inflection circle as unit:
@@ -27,4 +28,5 @@ pub mod six_points;
 pub mod slider_crank;
 pub mod symmetric;
 pub mod symmetrical;
+pub mod turning;
 pub mod watt;

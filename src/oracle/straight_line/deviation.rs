@@ -328,8 +328,8 @@ fn cosine(pivot: &Point<Ball>, pin: &Point<Ball>, other: &Point<Ball>) -> Number
     (crank * rod.conj()).re() / scale
 }
 
-/// The least and the greatest angle, as acute ones, of a range of cosines. `None` where it cannot be
-/// told which is which.
+/// The least and the greatest angle, as acute ones, of a range of cosines. `None` where nothing is
+/// known of one.
 fn acute_range(cosines: &[Number<Ball>], bits: u32) -> Option<[Number<Ball>; 2]> {
     let passes_90 = cosines.iter().any(|c| c.is_positive().is_yes())
         && cosines.iter().any(|c| (-c).is_positive().is_yes());
@@ -337,24 +337,25 @@ fn acute_range(cosines: &[Number<Ball>], bits: u32) -> Option<[Number<Ball>; 2]>
         let sine = (1 - c.square()).sqrt();
         sine.atan2(&c.abs()) * 180 / Number::pi(&bits)
     });
-    let angles: Vec<Number<Ball>> = angles.collect();
-    let pick = |wanted: std::cmp::Ordering| {
-        let mut rest = angles.iter();
-        let mut best = rest.next()?.clone();
-        for angle in rest {
-            if angle.compare(&best) == Some(wanted) {
-                best = angle.clone();
-            }
-        }
-        Some(best)
+    let bounds = angles.map(|angle| Some([angle.0.lower()?, angle.0.upper()?]));
+    let bounds: Vec<[Rational; 2]> = bounds.collect::<Option<_>>()?;
+    // The least number is between the least lower and the least upper bound, whichever it is.
+    let of = |pick: fn(Rational, Rational) -> Rational| {
+        let both = bounds.iter().cloned();
+        let [low, high] = both.reduce(|[a, b], [c, d]| [pick(a, c), pick(b, d)])?;
+        let middle = Rational::from(&low + &high) / 2u32;
+        Some(Number(Ball::with_radius(
+            &middle,
+            &((high - low) / 2u32),
+            bits,
+        )))
     };
-    let least = pick(std::cmp::Ordering::Less)?;
     let greatest = if passes_90 {
         Number::<Ball>::from(90)
     } else {
-        pick(std::cmp::Ordering::Greater)?
+        of(Rational::max)?
     };
-    Some([least, greatest])
+    Some([of(Rational::min)?, greatest])
 }
 
 /// Two numbers.

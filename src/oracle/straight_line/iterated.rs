@@ -9,11 +9,11 @@ use crate::number::zeros::{Function, Zeros, zeros};
 use crate::number::{Ball, Number, Series};
 use crate::plane::Angle;
 use crate::straight_line::ball_burmester::{Alternate, of_slider_crank};
-use crate::straight_line::deviation::turning;
 use crate::straight_line::no_design::NoDesign;
 use crate::straight_line::six_points::{Sixth, equation};
 use crate::straight_line::slider_crank::{Assembly, guide, joints};
 use crate::straight_line::symmetrical::{Symmetrical, rays_of_d};
+use crate::straight_line::turning;
 
 type Dual = Series<Ball>;
 

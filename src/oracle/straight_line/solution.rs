@@ -108,7 +108,9 @@ pub fn closed<K: Real>(
         Closed::InflectionPole(k, a) => {
             five_points(at_inflection_pole(&number(k), &angle(a)?), alternates)
         }
-        Closed::EqualCranks(k) => five_points(equal_cranks(&number(k)), alternates),
+        // The mirror symmetry adds a sixth point.
+        Closed::EqualCranks(k) => equal_cranks(&number(k))
+            .map(|cranks| vec![Solution::of_cranks(&cranks, alternates, 5, &[])]),
         Closed::SliderCrank(crank, d, displacements) => {
             let linkage = slider_crank(crank, &angle(&crank.alpha_a)?, &angle(d)?, source);
             let joints = guide(&linkage).ok();

@@ -4,6 +4,7 @@ use crate::number::poly::Fraction;
 use crate::number::{Exact, Kind, Number, Real, Truth, linear};
 use crate::plane::circle::Circle;
 use crate::plane::displacement::Displacement;
+use crate::plane::line::mirror;
 use crate::plane::{Point, relation};
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::{Random, Symbols, point};
@@ -104,7 +105,7 @@ fn run_one_point() -> Result<Report, Unbuilt> {
         let pole = one.inverse().of(&one.pole(&Displacement::identity()));
         let [first, second] = [other, third].map(|last| three_on_a_line(one, last));
         let both = |point: &Point<Exact>| first.contains(point) & second.contains(point);
-        let point = reflected(&pole, [&first.center(), &second.center()]);
+        let point = mirror(&pole, &first.center(), &second.center());
         let four = [one, other, third];
         holds = holds
             & both(&pole)
@@ -150,12 +151,6 @@ fn three_on_a_line<K: Real>(one: &Displacement<K>, other: &Displacement<K>) -> C
         a,
         d,
     }
-}
-
-/// The image of a point in the line through two others.
-fn reflected<K: Kind>(point: &Point<K>, [p, q]: [&Point<K>; 2]) -> Point<K> {
-    let along = q - p;
-    p + &along * ((point - p) / &along).conj()
 }
 
 #[cfg(test)]

@@ -7,10 +7,10 @@
 use rug::Rational;
 
 use super::driven::{Driven, Position};
-use super::turning::{cis, path};
 use crate::number::zeros::{Function, Zero, first_zero, zeros};
 use crate::number::{Ball, Number, Series};
 use crate::plane::Point;
+use crate::straight_line::turning::{cis, path};
 
 type Dual = Number<Series<Ball>>;
 

@@ -1,11 +1,9 @@
 //! How long and how closely a point keeps to its line.
 //!
 //! - [`driven`]: a design driven by its crank O_aA,
-//! - [`turning`]: angles in degrees as series,
 //! - [`arc`]: the exact arc on which the deviation keeps within a bound, with all that happens on it,
 //! - [`stepped`]: the same in steps of one degree, as the thesis's program goes.
 
 pub mod arc;
 pub mod driven;
 pub mod stepped;
-pub mod turning;
