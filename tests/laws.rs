@@ -16,8 +16,9 @@ mod seed;
 
 use std::cmp::Ordering;
 
+use burmester::number::decimal::{Machine, Rounding};
 use burmester::number::{
-    Ball, Complex, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd, Truth,
+    Ball, Complex, Decimal, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd, Truth,
 };
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -361,6 +362,31 @@ fn floats() {
         .ring_and_field()
         .order()
         .against_exact(|q| q.clone().into())
+        .report();
+}
+
+fn decimal(random: &mut ChaCha8Rng) -> Number<Decimal> {
+    let machine = Machine::new(12, Rounding::Nearest).unwrap();
+    let q = small(random);
+    match random.random_range(0..3) {
+        0 => q.into(),
+        _ => Number::rounded(&q, &machine),
+    }
+}
+
+/// Of twelve digits; else as for floats.
+fn same_decimal(left: &Number<Decimal>, right: &Number<Decimal>) -> bool {
+    let [left, right] = [left, right].map(|x| x.0.rational());
+    left.zip(right)
+        .is_some_and(|(left, right)| (left - right).abs() < Rational::from((1, 200_000)))
+}
+
+#[test]
+fn decimals() {
+    Suite::new("Decimal", decimal)
+        .up_to(same_decimal)
+        .ring_and_field()
+        .order()
         .report();
 }
 

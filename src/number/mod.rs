@@ -5,6 +5,7 @@
 
 mod ball;
 pub mod complex;
+pub mod decimal;
 pub mod degrees;
 pub mod exact;
 mod float;
@@ -21,6 +22,7 @@ pub mod zeros;
 
 pub use ball::{Ball, BallText};
 pub use complex::Complex;
+pub use decimal::Decimal;
 pub use exact::Exact;
 pub use kind::{EXCESSIVE_BITS, EXCESSIVE_TERMS, Elementary, Kind, Real};
 pub use poly::{Fraction, Poly, Ring, Variable};
