@@ -121,6 +121,7 @@ fn contents(text: &mut String, statement: &Statement, judgement: &Judgement) {
         Content::Value {
             quantity,
             explained_by,
+            ..
         } => {
             say!(
                 text,
@@ -149,6 +150,12 @@ fn contents(text: &mut String, statement: &Statement, judgement: &Judgement) {
     }
     if let Some(computed) = &judgement.computed {
         say!(text, "  {:<10} {computed}", "computed");
+    }
+    if let Some(certified) = &judgement.certified {
+        say!(text, "  {:<10} {certified}", "certified");
+    }
+    if let Some(convention) = &statement.convention {
+        say!(text, "  {:<10} {convention}", "convention");
     }
 }
 

@@ -142,12 +142,15 @@ fn line(decided: &Decided<'_>) -> Map<String, Value> {
     put("scene", json!(statement.scene.name));
     put("printed", json!(statement.printed));
     put("computed", json!(judgement.computed));
+    put("certified", json!(judgement.certified));
+    put("convention", json!(statement.convention));
     put("corrected", json!(judgement.corrected));
     if judgement.verdict.is_erratum() {
         put("cause", json!(statement.cause));
         put("inherited_from", json!(statement.inherited_from));
     }
     put("instances", json!(judgement.instances));
+    put("samples", json!(judgement.samples));
     put("mutants", json!(judgement.mutants));
     put("evidence", json!(judgement.evidence));
     if !judgement.counterexample.is_empty() {
@@ -288,6 +291,9 @@ fn erratum(decided: &Decided<'_>) -> String {
     }
     if let Some(computed) = &judgement.computed {
         say!(text, "      computed  {computed}");
+    }
+    if let Some(certified) = &judgement.certified {
+        say!(text, "      certified {certified}");
     }
     say!(text, "      known by  {}", known_by(judgement));
     for finding in &judgement.findings {

@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use super::printed::NoDecimal;
 use crate::formula::{Failure, ReadError};
 use crate::scenes::Unbuilt;
 
@@ -17,6 +18,9 @@ pub enum JudgeError {
     /// A printed expression cannot be read.
     #[error("printed: {0}")]
     Reading(ReadError),
+    /// A printed number cannot be read.
+    #[error("printed: {0}")]
+    NoDecimal(#[from] NoDecimal),
     /// The scene could not be built.
     #[error("scene: {0}")]
     Scene(#[from] Unbuilt),

@@ -4,8 +4,11 @@ use std::collections::HashMap;
 
 use super::error::JudgeError;
 use super::formula::{Finding, decide, failure_outside, restricted};
+use super::measured::compare_measured;
 use super::mutation::try_mutants;
-use super::number::{ValueFinding, compare_decimal, compare_expression, evaluate_quantity, shown};
+use super::number::{
+    ValueFinding, compare_decimal, compare_expression, compare_integer, evaluate_quantity, shown,
+};
 use super::paper::{Condition, Content, Statement, Text};
 use super::stage::Stage;
 use super::table::Tables;
@@ -67,7 +70,15 @@ fn judge_on(
         Content::Value {
             quantity,
             explained_by,
-        } => judge_value(statement, quantity, explained_by.as_ref(), stage, options)?,
+            certified,
+        } => {
+            let explained_by = explained_by.as_ref();
+            let mut judgement = judge_value(statement, quantity, explained_by, stage, options)?;
+            if let Some(certified) = certified {
+                judgement.certified = Some(computed(certified, stage, options.digits)?);
+            }
+            judgement
+        }
         Content::Check => Judgement::bare(Verdict::Holds, Proof::Identity),
         Content::Garbled => judge_garbled(statement, stage, options)?,
         Content::Cell { table, row, column } => {
@@ -207,26 +218,40 @@ fn judge_value(
     stage: &mut Stage,
     options: &Options,
 ) -> Result<Judgement, JudgeError> {
+    let is_measured = stage
+        .example()
+        .is_some_and(|example| !example.measured.is_empty());
     let mut judgement = match Printed::read(&statement.printed) {
+        _ if is_measured => compare_measured(&statement.printed, quantity, stage)?,
         Ok(printed) => {
-            let ValueFinding {
-                verdict,
-                proof,
-                corrected,
-            } = compare_decimal(&printed, quantity, stage)?;
-            let mut judgement = Judgement {
-                corrected,
-                ..Judgement::bare(verdict, proof)
-            };
+            let mut judgement = judgement_of_value(compare_decimal(&printed, quantity, stage)?);
             if let Some(explanation) = explained_by {
                 explain(explanation, &printed, statement, stage, &mut judgement)?;
             }
             judgement
         }
-        Err(_) => judge_expression(statement, quantity, stage)?,
+        Err(_) => match compare_integer(&statement.printed, quantity, stage)? {
+            Some(finding) => judgement_of_value(finding),
+            None => judge_expression(statement, quantity, stage)?,
+        },
     };
+    if let (Some(tried), Verdict::Contradicted) = (&statement.tried, judgement.verdict) {
+        // How the print was made is not known, so that it does not contradict what is computed here.
+        judgement.verdict = Verdict::NotReproducible;
+        judgement.corrected = None;
+        judgement.findings.push(format!("tried: {tried}"));
+    }
     judgement.computed = Some(computed(quantity, stage, options.digits)?);
     Ok(judgement)
+}
+
+fn judgement_of_value(finding: ValueFinding) -> Judgement {
+    Judgement {
+        corrected: finding.corrected,
+        samples: finding.samples,
+        findings: finding.findings,
+        ..Judgement::bare(finding.verdict, finding.proof)
+    }
 }
 
 /// An expression in roots or an integer: equal or not.

@@ -4,23 +4,27 @@
 //! a verdict is stored, and the `expected` one of the data is only compared with it.
 
 mod error;
+mod example;
 mod formula;
 mod judge;
+mod measured;
 mod mutation;
 mod number;
 mod paper;
 mod printed;
+mod raw_number_table;
 mod raw_table;
 mod stage;
 mod table;
 mod verdict;
 
 pub use error::JudgeError;
+pub use example::Example;
 pub use judge::{Judge, Options};
 pub use mutation::MutantCounts;
 pub use paper::{
-    Condition, Content, Example, Paper, PaperError, Statement, built_in, read_folder, read_paper,
+    Condition, Content, Paper, PaperError, Statement, built_in, read_folder, read_paper,
 };
-pub use printed::Printed;
+pub use printed::{NoDecimal, Printed};
 pub use table::{PrintedRow, PrintedTable};
 pub use verdict::{Cause, Computed, Judgement, Kind, Proof, Verdict};

@@ -10,7 +10,7 @@ use super::{Computed, Printed, Proof, Verdict};
 use crate::formula::{
     Bindings, Failure, Formula, Node, Relation, Tree, Value, evaluate_expression, read,
 };
-use crate::number::text::round_to_decimals;
+use crate::number::text::parse_rational;
 use crate::number::{Ball, BallText, Number, Real};
 use crate::plane::Angle;
 
@@ -46,14 +46,18 @@ pub fn evaluate_quantity(
     }
     let bindings = stage.certified(bits)?;
     let ball = ball_of(&quantity.formula, &bindings)?;
+    // Integers, such as whole degrees, stay themselves among enclosures.
+    let ends = ball.lower().zip(ball.upper());
+    let rational = ends.filter(|(low, high)| low == high).map(|(low, _)| low);
     Ok(Quantity {
         ball,
-        rational: None,
+        rational,
         exact: false,
     })
 }
 
-fn ball_of(formula: &Formula, bindings: &Bindings<Ball>) -> Result<Ball, JudgeError> {
+/// An enclosure of the value of an expression, in degrees for an angle.
+pub fn ball_of(formula: &Formula, bindings: &Bindings<Ball>) -> Result<Ball, JudgeError> {
     match evaluate_expression(formula, bindings).map_err(JudgeError::formula)? {
         Value::Number(number) => Ok(number.0),
         Value::Angle(angle) => Ok(in_degrees(&angle, *bindings.precision()).0),
@@ -94,6 +98,10 @@ pub struct ValueFinding {
     pub verdict: Verdict,
     pub proof: Proof,
     pub corrected: Option<String>,
+    /// On how many samples it rests.
+    pub samples: Option<usize>,
+    /// What was found beside it.
+    pub findings: Vec<String>,
 }
 
 /// Compares a printed decimal with the computed enclosure, sharpening it until one of the verdicts
@@ -117,6 +125,8 @@ pub fn compare_decimal(
                     verdict,
                     proof,
                     corrected,
+                    samples: None,
+                    findings: Vec::new(),
                 })
             };
             if printed.covers(&low, &high) {
@@ -126,7 +136,10 @@ pub fn compare_decimal(
                 if printed.is_cut_of(&low, &high) {
                     return finding(Verdict::Truncated, None);
                 }
-                let right = [&low, &high].map(|end| round_to_decimals(end, printed.decimals));
+                if let Some(noise) = noise(printed, quantity, stage, [&low, &high]) {
+                    return Ok(noise);
+                }
+                let right = [&low, &high].map(|end| printed.like(end));
                 let decided = (right[0] == right[1]).then(|| right[0].clone());
                 if decided.is_some() {
                     return finding(Verdict::Contradicted, decided);
@@ -139,9 +152,78 @@ pub fn compare_decimal(
                 verdict: Verdict::NotReproducible,
                 proof,
                 corrected: None,
+                samples: None,
+                findings: Vec::new(),
             });
         }
     }
+}
+
+/// Whether rounding errors of the machine that printed the number explain it: whether some number that
+/// is no farther from the true one than the worst of its emulated results is printed so.
+fn noise(
+    printed: &Printed,
+    quantity: &Text,
+    stage: &Stage,
+    [low, high]: [&Rational; 2],
+) -> Option<ValueFinding> {
+    let results = stage.emulated().iter().map(|bindings| {
+        match evaluate_expression(&quantity.formula, bindings) {
+            Ok(Value::Number(number)) => number.0.rational(),
+            _ => None,
+        }
+    });
+    let results: Vec<Rational> = results.collect::<Option<_>>()?;
+    let error = |result: &Rational| {
+        let [above, below] = [Rational::from(result - low), Rational::from(high - result)];
+        above.max(below)
+    };
+    let bound = results.iter().map(error).max()?;
+    let reach = [Rational::from(low - &bound), Rational::from(high + &bound)];
+    printed
+        .is_within(&reach[0], &reach[1])
+        .then(|| ValueFinding {
+            verdict: Verdict::Noise,
+            proof: Proof::Numeric,
+            corrected: None,
+            samples: Some(results.len()),
+            findings: vec![format!(
+                "emulated results differ from the exact one by up to {:.1e}",
+                bound.to_f64()
+            )],
+        })
+}
+
+/// A text that is an integer or a fraction.
+pub fn rational_of(printed: &str) -> Option<Rational> {
+    parse_rational(printed).ok()
+}
+
+/// Compares a printed integer with the quantity where that is known to be rational among enclosures:
+/// whole degrees, for instance.
+pub fn compare_integer(
+    printed: &str,
+    quantity: &Text,
+    stage: &mut Stage,
+) -> Result<Option<ValueFinding>, JudgeError> {
+    let value = evaluate_quantity(quantity, stage, 128)?;
+    let (Some(printed), Some(rational), false) =
+        (rational_of(printed), value.rational, value.exact)
+    else {
+        return Ok(None);
+    };
+    let is_equal = printed == rational;
+    Ok(Some(ValueFinding {
+        verdict: if is_equal {
+            Verdict::Reproduced
+        } else {
+            Verdict::Contradicted
+        },
+        proof: Proof::Certified,
+        corrected: (!is_equal).then(|| rational.to_string()),
+        samples: None,
+        findings: Vec::new(),
+    }))
 }
 
 /// Compares a printed expression (`4`, `2 sqrt 6`) with the quantity: both must be equal.

@@ -8,6 +8,8 @@ use serde::Deserialize;
 use thiserror::Error;
 use toml::Spanned;
 
+use super::example::Example;
+use super::raw_number_table::RawNumberTable;
 use super::raw_table::RawTable;
 use super::table::PrintedTable;
 use super::{Cause, Kind, Verdict};
@@ -56,6 +58,10 @@ pub struct Statement {
     pub checks: Vec<String>,
     /// The verdict that is asserted.
     pub expected: Verdict,
+    /// How the printed number was made: what explains its whole column or block.
+    pub convention: Option<String>,
+    /// What was tried in vain to reproduce a print whose making is not known.
+    pub tried: Option<String>,
     /// What a reader should know.
     pub note: Option<String>,
     /// The data file.
@@ -91,6 +97,8 @@ pub enum Content {
         quantity: Text,
         /// What else gives the printed digits where they are wrong.
         explained_by: Option<Text>,
+        /// The true value, where the quantity is what a machine computed in its place.
+        certified: Option<Text>,
     },
     /// What only the checks in code decide.
     Check,
@@ -118,15 +126,6 @@ pub struct Condition {
     pub outside: &'static Scene,
 }
 
-/// Parameters of a printed example.
-#[derive(Clone, Debug)]
-pub struct Example {
-    /// The data file and its name there.
-    pub name: String,
-    /// What the example assumes, by the scene's names.
-    pub given: BTreeMap<String, Formula>,
-}
-
 /// What is wrong with a data file, and where.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{file}{}: {message}", at_line(*line))]
@@ -149,6 +148,8 @@ struct RawPaper {
     statement: Vec<Spanned<RawStatement>>,
     #[serde(default)]
     table: Vec<Spanned<RawTable>>,
+    #[serde(default)]
+    number_table: Vec<Spanned<RawNumberTable>>,
 }
 
 #[derive(Deserialize)]
@@ -163,30 +164,38 @@ struct RawSource {
 #[serde(deny_unknown_fields)]
 struct RawExample {
     scene: String,
+    #[serde(default)]
     given: BTreeMap<String, String>,
+    /// Printed decimals, each known to its last digit only.
+    #[serde(default)]
+    measured: BTreeMap<String, String>,
 }
 
+/// A statement as it stands in the data.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawStatement {
-    id: String,
-    locus: String,
-    kind: Kind,
-    scene: Option<String>,
-    example: Option<String>,
-    quantity: Option<String>,
-    printed: Option<String>,
-    verbatim: Option<String>,
-    condition: Option<String>,
-    outside: Option<String>,
-    correct: Option<String>,
-    explained_by: Option<String>,
-    cause: Option<Cause>,
-    inherited_from: Option<String>,
+pub(super) struct RawStatement {
+    pub id: String,
+    pub locus: String,
+    pub kind: Kind,
+    pub scene: Option<String>,
+    pub example: Option<String>,
+    pub quantity: Option<String>,
+    pub printed: Option<String>,
+    pub verbatim: Option<String>,
+    pub condition: Option<String>,
+    pub outside: Option<String>,
+    pub correct: Option<String>,
+    pub explained_by: Option<String>,
+    pub certified: Option<String>,
+    pub convention: Option<String>,
+    pub tried: Option<String>,
+    pub cause: Option<Cause>,
+    pub inherited_from: Option<String>,
     #[serde(default)]
-    checks: Vec<String>,
-    expected: Verdict,
-    note: Option<String>,
+    pub checks: Vec<String>,
+    pub expected: Verdict,
+    pub note: Option<String>,
 }
 
 /// The five sources as they were when this program was built.
@@ -267,6 +276,11 @@ pub fn read_paper(file: &str, text: &str) -> Result<Paper, PaperError> {
     for table in raw.table {
         let place = table.span().start;
         let cells = reader.table(&table.into_inner(), place)?;
+        in_order.extend(cells.into_iter().map(|cell| (place, cell)));
+    }
+    for table in raw.number_table {
+        let place = table.span().start;
+        let cells = reader.number_table(&table.into_inner(), place, &raw.example)?;
         in_order.extend(cells.into_iter().map(|cell| (place, cell)));
     }
     in_order.sort_by_key(|(place, _)| *place);
@@ -373,15 +387,16 @@ impl Reader<'_> {
             ));
         };
         let inner = raw.get_ref();
-        let mut given = BTreeMap::new();
+        let mut example = Example::new(format!("{}: {name}", self.file));
         for (parameter, text) in &inner.given {
             let value = self.formula(raw.span().start, parameter, text)?;
-            given.insert(parameter.clone(), value.formula);
+            example.given.insert(parameter.clone(), value.formula);
         }
-        let example = Example {
-            name: format!("{}: {name}", self.file),
-            given,
-        };
+        for (parameter, text) in &inner.measured {
+            example
+                .measure(parameter, text)
+                .map_err(|error| self.error(raw.span().start, format!("{parameter}: {error}")))?;
+        }
         Ok((inner.scene.clone(), example))
     }
 
@@ -421,6 +436,29 @@ impl Reader<'_> {
         let scene = self.scene(place, &raw.scene)?;
         raw.statements(scene, (self.file, self.line(place)))
             .map_err(|message| self.error(place, format!("{}: {message}", raw.id)))
+    }
+
+    /// Every cell as the statement that it would be alone.
+    fn number_table(
+        &self,
+        raw: &RawNumberTable,
+        place: usize,
+        examples: &BTreeMap<String, Spanned<RawExample>>,
+    ) -> Result<Vec<Statement>, PaperError> {
+        let error = |message: String| self.error(place, format!("{}: {message}", raw.id));
+        let mut statements = Vec::new();
+        for (cell, given) in raw.cells().map_err(error)? {
+            let mut statement = self.statement(cell, place, examples)?;
+            if let Some(example) = &mut statement.example {
+                for (parameter, text) in given {
+                    let value = self.formula(place, parameter, text)?;
+                    example.name = format!("{}, {parameter} = {text}", example.name);
+                    example.given.insert(parameter.clone(), value.formula);
+                }
+            }
+            statements.push(statement);
+        }
+        Ok(statements)
     }
 
     fn statement(
@@ -481,6 +519,10 @@ impl Reader<'_> {
             ));
         }
         let condition = self.condition(place, &raw, scene)?;
+        let optional = |field: &str, text: &Option<String>| {
+            let read = |text: &String| self.formula(place, field, text);
+            text.as_ref().map(read).transpose()
+        };
         let content = match (&raw.quantity, raw.kind) {
             _ if garbled => Content::Garbled,
             (Some(quantity), _) => {
@@ -491,10 +533,8 @@ impl Reader<'_> {
                 }
                 Content::Value {
                     quantity: self.formula(place, "quantity", quantity)?,
-                    explained_by: match &raw.explained_by {
-                        Some(text) => Some(self.formula(place, "explained_by", text)?),
-                        None => None,
-                    },
+                    explained_by: optional("explained_by", &raw.explained_by)?,
+                    certified: optional("certified", &raw.certified)?,
                 }
             }
             (None, Kind::Number) => {
@@ -503,10 +543,7 @@ impl Reader<'_> {
             (None, Kind::Claim) if !raw.checks.is_empty() && condition.is_none() => Content::Check,
             (None, _) => Content::Formula(self.formula(place, "printed", &printed)?),
         };
-        let correct = match &raw.correct {
-            Some(text) => Some(self.formula(place, "correct", text)?),
-            None => None,
-        };
+        let correct = optional("correct", &raw.correct)?;
         if let Some(unknown) = raw
             .checks
             .iter()
@@ -534,6 +571,8 @@ impl Reader<'_> {
             inherited_from: raw.inherited_from,
             checks: raw.checks,
             expected: raw.expected,
+            convention: raw.convention,
+            tried: raw.tried,
             note: raw.note,
         })
     }

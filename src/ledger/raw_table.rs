@@ -183,6 +183,8 @@ impl RawTable {
                 Some(_) => Verdict::Fails,
                 None => Verdict::Holds,
             },
+            convention: None,
+            tried: None,
             note: (!notes.is_empty()).then(|| notes.join(" ")),
         }
     }

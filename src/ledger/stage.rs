@@ -1,16 +1,27 @@
 //! A scene set up for judging: exact instances, free symbols, or the numbers of an example.
 
 use std::cell::OnceCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 
 use super::Example;
 use crate::formula::Bindings;
+use crate::number::decimal::{Machine, Rounding};
 use crate::number::poly::Fraction;
-use crate::number::{Ball, Surd};
+use crate::number::{Ball, Decimal, Surd};
 use crate::scenes::free::{Given, Random, Symbols};
 use crate::scenes::{Scene, Unbuilt};
 
 /// How many random parameters are tried for each configuration that is wanted.
 const TRIES: u64 = 100;
+
+/// How often a machine's computation is emulated, each time with other rounding errors.
+const EMULATIONS: u64 = 100;
+
+/// How many inputs are tried within the digits of measured ones.
+const SAMPLES: u64 = 200;
+/// Their precision.
+const SAMPLE_BITS: u32 = 128;
 
 /// A scene and, where the statement belongs to one, an example; builds what is asked for, once.
 pub struct Stage {
@@ -19,6 +30,9 @@ pub struct Stage {
     instances: Vec<Bindings<Surd>>,
     next_seed: u64,
     symbolic: OnceCell<Result<Bindings<Fraction>, Unbuilt>>,
+    enclosed: HashMap<u32, Rc<Bindings<Ball>>>,
+    emulated: OnceCell<Vec<Bindings<Decimal>>>,
+    sampled: OnceCell<Vec<Bindings<Ball>>>,
 }
 
 impl Stage {
@@ -30,6 +44,9 @@ impl Stage {
             instances: Vec::new(),
             next_seed: 0,
             symbolic: OnceCell::new(),
+            enclosed: HashMap::new(),
+            emulated: OnceCell::new(),
+            sampled: OnceCell::new(),
         }
     }
 
@@ -78,10 +95,48 @@ impl Stage {
     }
 
     /// The example in enclosures of this many bits.
-    pub fn certified(&self, bits: u32) -> Result<Bindings<Ball>, Unbuilt> {
-        match &self.example {
-            Some(example) => (self.scene.certified)(&mut Given::new(&example.given, bits)),
-            None => Err(Unbuilt::NotHeld("enclosures without an example".to_owned())),
+    pub fn certified(&mut self, bits: u32) -> Result<Rc<Bindings<Ball>>, Unbuilt> {
+        if let Some(known) = self.enclosed.get(&bits) {
+            return Ok(known.clone());
         }
+        let Some(example) = &self.example else {
+            return Err(Unbuilt::NotHeld("enclosures without an example".to_owned()));
+        };
+        let bindings = Rc::new((self.scene.certified)(&mut Given::new(
+            &example.given,
+            bits,
+        ))?);
+        self.enclosed.insert(bits, bindings.clone());
+        Ok(bindings)
+    }
+
+    /// The example as the machine may have computed it that printed its numbers, several times; empty
+    /// where there is no machine.
+    pub fn emulated(&self) -> &[Bindings<Decimal>] {
+        let build = || {
+            let (Some(example), Some(machine)) = (&self.example, &self.scene.machine) else {
+                return Vec::new();
+            };
+            let run = |seed| {
+                let machine_of_seed = Machine::new(machine.digits, Rounding::Scattered(seed))?;
+                (machine.build)(&mut Given::new(&example.given, machine_of_seed)).ok()
+            };
+            (0..EMULATIONS).filter_map(run).collect()
+        };
+        self.emulated.get_or_init(build)
+    }
+
+    /// The example with its measured parameters anywhere within their printed digits; empty where none
+    /// is measured.
+    pub fn sampled(&self) -> &[Bindings<Ball>] {
+        let build = || {
+            let Some(example) = &self.example else {
+                return Vec::new();
+            };
+            let samples = example.samples(SAMPLES);
+            let build = |given| (self.scene.certified)(&mut Given::new(&given, SAMPLE_BITS)).ok();
+            samples.into_iter().filter_map(build).collect()
+        };
+        self.sampled.get_or_init(build)
     }
 }

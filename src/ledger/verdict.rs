@@ -141,10 +141,14 @@ pub struct Judgement {
     pub proof: Proof,
     /// The value of a printed number or expression.
     pub computed: Option<Computed>,
+    /// The true value of what a machine only approximates.
+    pub certified: Option<Computed>,
     /// The right form, itself checked to hold.
     pub corrected: Option<String>,
     /// For a proof by instances, how many.
     pub instances: Option<usize>,
+    /// For a numeric proof, how many samples.
+    pub samples: Option<usize>,
     /// Parameters for which a failing line fails.
     pub counterexample: Vec<(String, String)>,
     /// The mutants of the right form, where they were tried.
@@ -161,8 +165,10 @@ impl Judgement {
             verdict,
             proof,
             computed: None,
+            certified: None,
             corrected: None,
             instances: None,
+            samples: None,
             counterexample: Vec::new(),
             mutants: None,
             evidence: Vec::new(),

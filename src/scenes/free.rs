@@ -90,6 +90,11 @@ pub enum Unbuilt {
 }
 
 impl Unbuilt {
+    /// For a scene that needs more than sums, products and roots.
+    pub fn no_functions() -> Self {
+        Unbuilt::NotHeld("the elementary functions".to_owned())
+    }
+
     /// Passes where a condition of the configuration holds, or cannot be told to fail.
     pub fn unless_real(condition: Truth, what: &str) -> Result<(), Unbuilt> {
         if condition.is_no() {

@@ -3,7 +3,7 @@
 use super::{Free, Unbuilt};
 use crate::formula::Bindings;
 use crate::number::poly::Fraction;
-use crate::number::{Ball, Surd};
+use crate::number::{Ball, Decimal, Surd};
 
 /// What a symbol of a scene means.
 #[derive(Clone, Copy, Debug)]
@@ -36,9 +36,22 @@ pub struct Scene {
     pub certified: Build<Ball>,
     /// With floats: for comparison only.
     pub float: Build<f64>,
+    /// As the machine computed it that printed the numbers, where one did.
+    pub machine: Option<Emulation>,
 }
 
-/// Makes a [`Scene`] of a generic function. With `not symbolic: "why"` it is built with numbers only.
+/// A scene in the arithmetic of a machine.
+#[derive(Clone, Copy, Debug)]
+pub struct Emulation {
+    /// Decimal digits of its numbers.
+    pub digits: u32,
+    /// The scene.
+    pub build: Build<Decimal>,
+}
+
+/// Makes a [`Scene`] of a generic function. With `not symbolic: "why"` it is built with numbers only;
+/// with `machine: digits` it needs the elementary functions, and is what a machine of so many decimal
+/// digits computed; then the build in enclosures may show the true values beside.
 macro_rules! scene {
     ($name:literal, $summary:literal, $build:ident, [$($symbol:literal: $meaning:literal),* $(,)?]) => {
         $crate::scenes::scene::scene!(@ $name, $summary, $build, $build, [$($symbol: $meaning),*])
@@ -53,6 +66,22 @@ macro_rules! scene {
             [$($symbol: $meaning),*]
         )
     };
+    (
+        $name:literal, $summary:literal, $certified:ident,
+        machine: $digits:literal, $build:ident, [$($symbol:literal: $meaning:literal),* $(,)?]
+    ) => {
+        $crate::scenes::Scene {
+            name: $name,
+            summary: $summary,
+            file: file!(),
+            symbols: &[$($crate::scenes::Symbol { name: $symbol, meaning: $meaning }),*],
+            symbolic: |_| Err($crate::scenes::Unbuilt::no_functions()),
+            exact: |_| Err($crate::scenes::Unbuilt::no_functions()),
+            certified: $certified,
+            float: $build,
+            machine: Some($crate::scenes::scene::Emulation { digits: $digits, build: $build }),
+        }
+    };
     (@ $name:literal, $summary:literal, $build:ident, $symbolic:expr, [$($symbol:literal: $meaning:literal),*]) => {
         $crate::scenes::Scene {
             name: $name,
@@ -63,6 +92,7 @@ macro_rules! scene {
             exact: $build,
             certified: $build,
             float: $build,
+            machine: None,
         }
     };
 }

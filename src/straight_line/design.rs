@@ -107,6 +107,12 @@ impl<K: Kind> Design<K> {
 }
 
 impl<K: Real> Design<K> {
+    /// The length to which a design is related: (Q + R + S + T + (M + N)/2)/5 (Tesar 1964, (6.27)).
+    pub fn unit(&self) -> Number<K> {
+        let [q, r, s, t, m, n] = self.squared_lengths().map(|(_, square)| square.sqrt());
+        (q + r + s + t + (m + n) / 2) / 5
+    }
+
     /// The design, if its bars have a length.
     pub fn checked(self) -> Result<Self, NoDesign> {
         let [q, r, s, t, ..] = self.squared_lengths();

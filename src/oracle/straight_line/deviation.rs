@@ -7,7 +7,7 @@ use super::given::{self, Given};
 use super::solution::{Found, Rounded, Solution, closed};
 use super::writer::passage;
 use crate::linkage::passage::{Drive, Passage};
-use crate::number::{Ball, Number, Real};
+use crate::number::{Ball, Number};
 use crate::oracle::input::Fields;
 use crate::oracle::linkages::words;
 use crate::oracle::numeral::Shown;
@@ -19,7 +19,8 @@ use crate::straight_line::ball_burmester::Alternate;
 use crate::straight_line::design::Design;
 use crate::straight_line::deviation::arc::{Arcs, Limit};
 use crate::straight_line::deviation::driven::{Driven, Position};
-use crate::straight_line::deviation::stepped::{Row, stepped};
+use crate::straight_line::deviation::rows::Rows;
+use crate::straight_line::deviation::stepped::{Rule, records};
 use crate::straight_line::no_design::NoDesign;
 
 /// Derivatives of v(u) that are told.
@@ -100,7 +101,7 @@ impl Problem {
 
     fn analysis(&self, chosen: &Chosen, attempt: &mut Attempt) -> Map<String, Value> {
         let design = &chosen.design;
-        let unit = unit(design);
+        let unit = design.unit();
         let mut answer = Map::new();
         for (name, square) in design.squared_lengths() {
             let length = Ball::numeral(&(square.sqrt() / &unit));
@@ -127,30 +128,22 @@ impl Problem {
         let derivatives = derivatives(design, &unit, attempt);
         answer.insert("derivatives".into(), derivatives);
         let arcs = Driven::new(design).and_then(|driven| Arcs::new(driven, attempt.bits));
-        let levels = self.levels.iter().map(|level| match &arcs {
+        let stepped = stepped_levels(design, &unit, &self.levels);
+        let levels = self.levels.iter().zip(stepped);
+        let levels = levels.map(|(level, stepped)| match &arcs {
             Some(arcs) => Level {
                 design,
                 contact: chosen.contact,
                 unit: &unit,
                 arcs,
             }
-            .written(level, attempt),
+            .written(level, stepped, attempt),
             None => attempt.decided("levels", None),
         });
         let levels: Vec<Value> = levels.collect();
         answer.insert("levels".into(), json!(levels));
         answer
     }
-}
-
-/// (Q + R + S + T + (M + N)/2)/5 (Tesar 1964, (6.27)).
-fn unit<K: Real>(design: &Design<K>) -> Number<K> {
-    let lengths = design.squared_lengths();
-    let of = |wanted: &[&str]| -> Number<K> {
-        let chosen = lengths.iter().filter(|(name, _)| wanted.contains(name));
-        chosen.map(|(_, square)| square.clone().sqrt()).sum()
-    };
-    (of(&["Q", "R", "S", "T"]) + of(&["M", "N"]) / 2) / 5
 }
 
 /// Which of R and T turn fully.
@@ -190,7 +183,7 @@ struct Level<'a> {
 }
 
 impl Level<'_> {
-    fn written(&self, level: &Rational, attempt: &mut Attempt) -> Value {
+    fn written(&self, level: &Rational, stepped: Value, attempt: &mut Attempt) -> Value {
         let bound = self.unit * Number::<Ball>::rounded(level, &attempt.bits);
         let Some((arc, ends)) = self.arc(&bound) else {
             return attempt.decided("levels", None);
@@ -232,7 +225,7 @@ impl Level<'_> {
         );
         let extremes = self.extremes(&arc, attempt);
         add("extremes", extremes);
-        add("stepped", self.stepped(level));
+        add("stepped", stepped);
         Value::Object(fields)
     }
 
@@ -302,23 +295,46 @@ impl Level<'_> {
             }
         })
     }
+}
 
-    fn stepped(&self, level: &Rational) -> Value {
-        let float =
-            |x: &Number<Ball>| Number(x.0.midpoint_rational().map_or(f64::NAN, |q| q.to_f64()));
-        let driven = Driven::new(self.design).map(|driven| driven.map(float));
-        let Some(driven) = driven else {
-            return Value::Null;
+/// The arcs of all levels in steps of one degree, in floats, in the order of the levels.
+fn stepped_levels(design: &Design<Ball>, unit: &Number<Ball>, levels: &[Rational]) -> Vec<Value> {
+    let float = |x: &Number<Ball>| Number(x.0.midpoint_rational().map_or(f64::NAN, |q| q.to_f64()));
+    let mut order: Vec<usize> = (0..levels.len()).collect();
+    order.sort_by_key(|&i| levels.get(i));
+    let ascending: Vec<Number<f64>> = order
+        .iter()
+        .filter_map(|&i| levels.get(i))
+        .map(|level| Number(level.to_f64()))
+        .collect();
+    let found = Driven::new(design).and_then(|driven| {
+        let (driven, unit) = (driven.map(float), float(unit));
+        let rows = Rows::new(&driven, &unit, &())?;
+        let side = |side| {
+            records(
+                |degrees| rows.met(degrees),
+                &ascending,
+                side,
+                Rule::Reversal,
+            )
         };
-        let unit = float(self.unit).0;
-        let rows: [Row; 2] = stepped(&driven, level.to_f64() * unit);
-        let [from, to] = rows;
-        json!({
-            "length": output::float((to.u - from.u).abs() / unit),
-            "phi": [from.degrees, to.degrees],
-            "v": rows.map(|row| output::float(row.v / unit)),
-        })
+        Some([side(-1)?, side(1)?])
+    });
+    let mut values = vec![Value::Null; levels.len()];
+    let Some([backwards, forwards]) = found else {
+        return values;
+    };
+    for (i, ends) in order.iter().zip(backwards.iter().zip(&forwards)) {
+        if let (Some(value), (Some(from), Some(to))) = (values.get_mut(*i), ends) {
+            let v = [from, to].map(|end| output::float(end.row.v.0));
+            *value = json!({
+                "length": output::float((&to.row.u - &from.row.u).abs().0),
+                "phi": [from.degrees, to.degrees],
+                "v": v,
+            });
+        }
     }
+    values
 }
 
 /// The cosine of the angle at `pin`.

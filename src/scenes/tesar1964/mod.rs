@@ -44,6 +44,7 @@ pub(super) mod point_on_a_line;
 mod pole_frame;
 pub(super) mod positions_on_a_line;
 pub(super) mod precision_points;
+pub(super) mod program;
 mod quadratic;
 pub(super) mod second_position;
 mod sense;

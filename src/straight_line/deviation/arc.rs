@@ -190,6 +190,17 @@ impl Arcs {
         self.driven.coordinates(position)
     }
 
+    /// The acute angles between the coupler and R, T, in degrees.
+    pub fn transmission_angles(&self, position: &Position<Ball>) -> [Number<Ball>; 2] {
+        let [o_a, o_b] = self.pivots();
+        let [a, b] = &position.pins;
+        let rod = (b - a).conj();
+        [a - o_a, b - o_b].map(|crank| {
+            let z = crank * &rod;
+            z.im().abs().atan2(&z.re().abs()) * 180 / Number::pi(&self.bits)
+        })
+    }
+
     /// All extremes of v within an arc, beside the design position where v has contact of order n with
     /// 0, so that its derivative has a zero of multiplicity n. `None` where that is not decided.
     pub fn extremes(&self, arc: &[Limit; 2], contact: usize) -> Option<Vec<Extreme>> {

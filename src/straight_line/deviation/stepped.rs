@@ -1,56 +1,133 @@
-//! The arc in steps of one degree of the crank, in floats, as the thesis's program goes (Tesar 1964,
-//! chapter VI).
+//! The arc in steps of one degree of the crank, as a program of 1964 went (Tesar 1964, chapter VI).
 //!
-//! From the design position the crank is turned by whole degrees, both ways, until the deviation is
-//! beyond the bound; that row is the last. Where the travel turns back or the linkage does not close
-//! any more, the row before it is the last.
+//! From the design position the crank is turned by whole degrees, both ways. Where the deviation is
+//! beyond a level for the first time, the row is recorded for that level. A row in which the travel has
+//! turned back, or in which the linkage does not close, ends all levels that are left; what is
+//! recorded then is peculiar:
+//!
+//! - travel, deviation and the turn of T are those of the row beyond the reversal, but the
+//!   transmission angles those of the row before (where the linkage does not close, all are of the last
+//!   row that does);
+//! - the crank's angle is put back by one degree for the first level that is ended so, by two for the next,
+//!   and so on, since the counter of the rows is put back each time and the same row met again.
+//!
+//! So the ranges and lengths that it tells differ from the arc's by up to some degrees; the arc itself
+//! is in [`arc`](super::arc).
 
-use super::driven::Driven;
-use crate::number::Number;
+use std::cmp::Ordering;
 
-/// The last row on one side.
-#[derive(Clone, Copy, Debug)]
-pub struct Row {
+use crate::number::{Number, Real};
+
+/// A position of the linkage as a row has it.
+#[derive(Clone, Debug)]
+pub struct Row<K> {
+    /// Travel.
+    pub u: Number<K>,
+    /// Deviation.
+    pub v: Number<K>,
+    /// The turn of T from the design position, in degrees.
+    pub psi: Number<K>,
+    /// The acute angles between the coupler and R, T, in degrees.
+    pub gamma: [Number<K>; 2],
+}
+
+/// What is met at an angle of the crank.
+#[derive(Clone, Debug)]
+pub enum Met<K> {
+    /// A position.
+    Row(Row<K>),
+    /// The linkage does not close there.
+    Open,
+}
+
+/// What is recorded where a level ends.
+#[derive(Clone, Debug)]
+pub struct Record<K> {
     /// The crank's angle from the design position.
     pub degrees: i32,
-    /// Travel.
-    pub u: f64,
-    /// Deviation.
-    pub v: f64,
+    /// What the row says; not all of it belongs to that angle.
+    pub row: Row<K>,
 }
 
-/// The last rows on both sides.
-pub fn stepped(driven: &Driven<f64>, bound: f64) -> [Row; 2] {
-    [-1, 1].map(|side| last(driven, bound, side))
+/// What ends the rows beside the deviation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// A reversal of the travel, or that the linkage does not close.
+    Reversal,
+    /// Only that the linkage does not close.
+    Closure,
 }
 
-fn last(driven: &Driven<f64>, bound: f64, side: i32) -> Row {
-    let mut last = Row {
-        degrees: 0,
-        u: 0.0,
-        v: 0.0,
+/// Rows beyond this angle are not computed.
+const MOST_DEGREES: i32 = 180;
+
+/// The records of all levels on one side, −1 or 1, the levels from the least on; `None` for a level that
+/// is not ended within half a turn. `None` where something cannot be decided; `met` says so likewise.
+pub fn records<K: Real>(
+    met: impl Fn(i32) -> Option<Met<K>>,
+    levels: &[Number<K>],
+    side: i32,
+    rule: Rule,
+) -> Option<Vec<Option<Record<K>>>> {
+    let Met::Row(start) = met(0)? else {
+        return None;
     };
-    let mut direction = 0.0;
-    for step in 1..=360 {
-        let Some(row) = row(driven, side * step) else {
-            break;
+    let mut records: Vec<Option<Record<K>>> = Vec::new();
+    let mut last = start.clone();
+    let mut saved = start.u.clone();
+    let mut heading = Number::zero();
+    let mut degrees = side;
+    let mut back = 1;
+    while degrees.abs() <= MOST_DEGREES && records.len() < levels.len() {
+        let is_ended = match met(degrees)? {
+            Met::Open => true,
+            Met::Row(next) => {
+                if degrees == side {
+                    heading = &next.u - &start.u;
+                }
+                let turned = (&heading * (&next.u - &saved)).sign()? == Ordering::Less;
+                let turned = turned && rule == Rule::Reversal;
+                let gamma = if turned {
+                    last.gamma.clone()
+                } else {
+                    saved = next.u.clone();
+                    next.gamma.clone()
+                };
+                last = Row { gamma, ..next };
+                turned
+            }
         };
-        let travel = row.u - last.u;
-        if travel * direction < 0.0 {
-            break;
+        let record = |degrees| {
+            let row = last.clone();
+            Some(Record { degrees, row })
+        };
+        if is_ended {
+            degrees -= side * back;
+            back += 1;
+            records.push(record(degrees));
         }
-        direction = travel;
-        last = row;
-        if row.v.abs() > bound {
-            break;
+        while let Some(level) = levels.get(records.len()) {
+            if last.v.abs().compare(level)? != Ordering::Greater {
+                break;
+            }
+            records.push(record(degrees));
         }
+        degrees += side;
     }
-    last
+    records.resize(levels.len(), None);
+    Some(records)
 }
 
-fn row(driven: &Driven<f64>, degrees: i32) -> Option<Row> {
-    let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
-    let position = driven.position(&Number::complex(Number(cos), Number(sin)))?;
-    let [u, v] = driven.coordinates(&position).map(|x| x.0);
-    v.is_finite().then_some(Row { degrees, u, v })
+/// |x − y| or the like for two angles of lines in degrees, as that program took the acute angle between
+/// them: by their sizes, whether they have the same sign or not.
+pub fn between_lines<K: Real>(x: &Number<K>, y: &Number<K>) -> Option<Number<K>> {
+    let (s, t) = (x.abs(), y.abs());
+    if (x * y).sign()? == Ordering::Greater {
+        return Some((s - t).abs());
+    }
+    let sum = s + t;
+    Some(match sum.compare(&Number::from(90))? {
+        Ordering::Greater => (180 - sum).abs(),
+        _ => sum,
+    })
 }
