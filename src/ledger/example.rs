@@ -7,8 +7,8 @@ use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rug::Rational;
 
 use super::Printed;
-use super::printed::NoDecimal;
-use crate::formula::{Formula, read};
+use crate::formula::{Bindings, Formula, Value, evaluate_expression, read};
+use crate::number::Exact;
 
 /// Parameters of a printed example.
 #[derive(Clone, Debug)]
@@ -31,35 +31,48 @@ impl Example {
         }
     }
 
-    /// A parameter of which the printed digits are known.
-    pub fn measure(&mut self, parameter: &str, text: &str) -> Result<(), NoDecimal> {
-        let printed = Printed::read(text)?;
-        if let Some(formula) = number(&printed.value) {
-            self.given.insert(parameter.to_owned(), formula);
+    /// A parameter of which the printed digits are known. What is given beside is one value within them,
+    /// which is tried first; else it is the printed one.
+    pub fn measure(&mut self, parameter: &str, text: &str) -> Result<(), String> {
+        let printed = Printed::read(text).map_err(|error| error.to_string())?;
+        match self.given.get(parameter) {
+            Some(given) => {
+                let value = value(given).ok_or("a number was expected")?;
+                if !printed.covers(&value, &value) {
+                    return Err(format!("{given} is not within the digits of {text}"));
+                }
+            }
+            None => {
+                let formula = number(&printed.value).ok_or("a number was expected")?;
+                self.given.insert(parameter.to_owned(), formula);
+            }
         }
         self.measured.insert(parameter.to_owned(), printed);
         Ok(())
     }
 
-    /// What is given, with the measured parameters anywhere within their digits, so many times; first
-    /// as printed. Nothing where none is measured.
-    pub fn samples(&self, wanted: u64) -> Vec<BTreeMap<String, Formula>> {
-        if self.measured.is_empty() {
-            return Vec::new();
-        }
-        let sample = |seed| {
-            let mut random = ChaCha8Rng::seed_from_u64(seed);
-            let mut given = self.given.clone();
-            for (parameter, printed) in self.measured.iter().filter(|_| seed > 0) {
-                // From minus to plus half a unit of the last digit.
-                let place = Rational::from((i64::from(random.next_u32()), 1_i64 << 32))
-                    - Rational::from((1, 2));
-                let value = &printed.value + place * &printed.unit;
-                given.insert(parameter.clone(), number(&value)?);
+    /// What is given, with the measured parameters anywhere within their digits: for the number 0 as
+    /// given, else at random.
+    pub fn sample(&self, seed: u64) -> BTreeMap<String, Formula> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut given = self.given.clone();
+        for (parameter, printed) in self.measured.iter().filter(|_| seed > 0) {
+            // From minus to plus half a unit of the last digit.
+            let place = Rational::from((i64::from(random.next_u32()), 1_i64 << 32))
+                - Rational::from((1, 2));
+            if let Some(formula) = number(&(&printed.value + place * &printed.unit)) {
+                given.insert(parameter.clone(), formula);
             }
-            Some(given)
-        };
-        (0..wanted).filter_map(sample).collect()
+        }
+        given
+    }
+}
+
+/// The value of a formula that is a rational number.
+fn value(formula: &Formula) -> Option<Rational> {
+    match evaluate_expression(formula, &Bindings::<Exact>::new(())) {
+        Ok(Value::Number(number)) => number.0.rational().cloned(),
+        _ => None,
     }
 }
 

@@ -32,7 +32,7 @@ pub struct Stage {
     symbolic: OnceCell<Result<Bindings<Fraction>, Unbuilt>>,
     enclosed: HashMap<u32, Rc<Bindings<Ball>>>,
     emulated: OnceCell<Vec<Bindings<Decimal>>>,
-    sampled: OnceCell<Vec<Bindings<Ball>>>,
+    sampled: Vec<Option<Rc<Bindings<Ball>>>>,
 }
 
 impl Stage {
@@ -46,7 +46,7 @@ impl Stage {
             symbolic: OnceCell::new(),
             enclosed: HashMap::new(),
             emulated: OnceCell::new(),
-            sampled: OnceCell::new(),
+            sampled: Vec::new(),
         }
     }
 
@@ -126,17 +126,22 @@ impl Stage {
         self.emulated.get_or_init(build)
     }
 
-    /// The example with its measured parameters anywhere within their printed digits; empty where none
-    /// is measured.
-    pub fn sampled(&self) -> &[Bindings<Ball>] {
-        let build = || {
-            let Some(example) = &self.example else {
-                return Vec::new();
-            };
-            let samples = example.samples(SAMPLES);
-            let build = |given| (self.scene.certified)(&mut Given::new(&given, SAMPLE_BITS)).ok();
-            samples.into_iter().filter_map(build).collect()
-        };
-        self.sampled.get_or_init(build)
+    /// The example with its measured parameters somewhere within their printed digits, a number of times,
+    /// as they are asked for; none where nothing is measured.
+    pub fn samples(&mut self) -> impl Iterator<Item = Rc<Bindings<Ball>>> + '_ {
+        let is_measured = self
+            .example
+            .as_ref()
+            .is_some_and(|example| !example.measured.is_empty());
+        let count = if is_measured { SAMPLES } else { 0 };
+        (0..count).filter_map(move |seed| {
+            let known = usize::try_from(seed).ok()?;
+            if self.sampled.len() <= known {
+                let given = self.example.as_ref()?.sample(seed);
+                let built = (self.scene.certified)(&mut Given::new(&given, SAMPLE_BITS));
+                self.sampled.push(built.ok().map(Rc::new));
+            }
+            self.sampled.get(known).cloned().flatten()
+        })
     }
 }

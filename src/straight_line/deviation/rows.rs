@@ -16,7 +16,7 @@ pub struct Rows<'a, K: Elementary> {
     precision: K::Precision,
     /// R from the base, in degrees, between −90° and 90°.
     phi: Number<K>,
-    /// T from the base, in degrees, from 0° to 360°.
+    /// T from the base, in degrees, between −180° and 180°.
     psi: Number<K>,
 }
 
@@ -37,11 +37,7 @@ impl<'a, K: Elementary> Rows<'a, K> {
         let start = driven.position(&Number::one())?;
         let [o_a, o_b] = driven.pivots();
         rows.phi = as_line(&rows.angle(&(&start.pins[0] - o_a)))?;
-        let psi = rows.angle(&(&start.pins[1] - o_b));
-        rows.psi = match psi.sign()? {
-            Ordering::Less => psi + 360,
-            _ => psi,
-        };
+        rows.psi = rows.angle(&(&start.pins[1] - o_b));
         Some(rows)
     }
 
@@ -62,11 +58,7 @@ impl<'a, K: Elementary> Rows<'a, K> {
         let [a, b] = &position.pins;
         let coupler = as_line(&self.angle(&(b - a)))?;
         let rocker = self.angle(&(b - o_b));
-        let turned = &rocker - &self.psi;
-        let psi = match rocker.sign()? {
-            Ordering::Greater => turned,
-            _ => turned + 360,
-        };
+        let psi = &rocker - &self.psi;
         let phi = &self.phi + i64::from(degrees);
         let gamma = [
             between_lines(&phi, &coupler)?,

@@ -25,7 +25,7 @@ pub struct Row<K> {
     pub u: Number<K>,
     /// Deviation.
     pub v: Number<K>,
-    /// The turn of T from the design position, in degrees.
+    /// The turn of T from the design position, in degrees, of a row alone up to whole turns.
     pub psi: Number<K>,
     /// The acute angles between the coupler and R, T, in degrees.
     pub gamma: [Number<K>; 2],
@@ -93,7 +93,8 @@ pub fn records<K: Real>(
                     saved = next.u.clone();
                     next.gamma.clone()
                 };
-                last = Row { gamma, ..next };
+                let psi = followed(next.psi, &last.psi)?;
+                last = Row { gamma, psi, ..next };
                 turned
             }
         };
@@ -116,6 +117,18 @@ pub fn records<K: Real>(
     }
     records.resize(levels.len(), None);
     Some(records)
+}
+
+/// An angle in degrees, a whole number of turns farther, so that it is near another.
+fn followed<K: Real>(angle: Number<K>, near: &Number<K>) -> Option<Number<K>> {
+    let step = &angle - near;
+    if step.compare(&Number::from(180))? == Ordering::Greater {
+        followed(angle - 360, near)
+    } else if step.compare(&Number::from(-180))? == Ordering::Less {
+        followed(angle + 360, near)
+    } else {
+        Some(angle)
+    }
 }
 
 /// |x − y| or the like for two angles of lines in degrees, as that program took the acute angle between
