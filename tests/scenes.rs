@@ -25,7 +25,7 @@ use rug::Rational;
 use seed::rounds;
 
 /// Scenes without a form for all values of their parameters, and why.
-const NOT_SYMBOLIC: [(&str, &str); 18] = [
+const NOT_SYMBOLIC: [(&str, &str); 23] = [
     ("wunderlich1968/figure-2-of-any-shape", "the winding number"),
     (
         "wunderlich1968/focal-cubic",
@@ -65,6 +65,17 @@ const NOT_SYMBOLIC: [(&str, &str); 18] = [
         "the sign of a difference",
     ),
     ("tesar1964/symmetric-linkage", "the sign of a"),
+    ("tesar1964/grashof", "whether links turn fully"),
+    ("tesar1964/grashof-in-order", "whether links turn fully"),
+    (
+        "tesar1964/type-of-mechanism",
+        "the length of the fixed link",
+    ),
+    ("tesar1964/transmission-angle", "the sign of a cosine"),
+    (
+        "tesar1964/dead-centres-of-a-double-lever",
+        "the type of a linkage",
+    ),
 ];
 
 /// Scenes that need a decision which rounded parameters do not allow.

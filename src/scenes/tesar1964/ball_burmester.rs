@@ -1,8 +1,8 @@
 //! Chapter II: a Burmester point on the inflection circle, and the three others.
 
 use super::pole_frame::{
-    Constants, angle_of_tangent, fourth_tangent, inflection_point, pair_on_ray, unless_contact,
-    unless_true, with_burmester_rays,
+    Constants, Pair, angle_of_tangent, fourth_tangent, inflection_point, pair_on_ray,
+    unless_contact, unless_true, with_burmester_rays,
 };
 use crate::curvature::canonical::Invariants;
 use crate::formula::Bindings;
@@ -112,7 +112,17 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     Ok(bindings)
 }
 
-fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+/// Two Burmester points A, B where the two others coincide on the inflection circle.
+pub(super) struct DoublePoint<K> {
+    pub alpha_a: Angle<K>,
+    pub alpha_b: Angle<K>,
+    /// Of the ray of C and D.
+    pub tangent: Number<K>,
+    /// A and B with their centers.
+    pub pairs: [Pair<K>; 2],
+}
+
+pub(super) fn double_point<K: Real>(free: &mut dyn Free<K>) -> Result<DoublePoint<K>, Unbuilt> {
     let (alpha_a, alpha_b) = (free.slope("alpha_a")?, free.slope("alpha_b")?);
     let (a, b) = (alpha_a.direction(), alpha_b.direction());
     let direction = |tan: &Number<K>| Number::complex(Number::one(), tan.clone());
@@ -126,9 +136,24 @@ fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt>
     unless_true::<K>(|| fourth(&tangent).equals(&tangent), "C and D coincide")?;
     let d = direction(&tangent);
     let invariants = motion_with(a, b, &d);
-    let [first, second] = [a, b].map(|ray| pair_on_ray(&invariants, ray));
-    let contact = [&first, &second, &inflection_point(&d)];
-    unless_contact(&invariants.motion(), contact)?;
+    let pairs = [a, b].map(|ray| pair_on_ray(&invariants, ray));
+    let output = inflection_point(&d);
+    unless_contact(&invariants.motion(), pairs.iter().chain([&output]))?;
+    Ok(DoublePoint {
+        alpha_a,
+        alpha_b,
+        tangent,
+        pairs,
+    })
+}
+
+fn build_double<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let DoublePoint {
+        alpha_a,
+        alpha_b,
+        tangent,
+        pairs: [first, second],
+    } = double_point(free)?;
     let mut bindings = Bindings::new(free.precision());
     for (name, angle, pair) in [("a", &alpha_a, first), ("b", &alpha_b, second)] {
         let upper = name.to_uppercase();

@@ -16,6 +16,9 @@
 //! turn from U to V; O_a, O_b are the pivots, A, B the pins of the cranks R, T, S the coupler AB, Q the
 //! fixed link, D the output point at the distances M from A and N from B, ε the turn from AB to AD.
 //! Lengths are not directed.
+//!
+//! Chapter VI: as in chapter V; the x-axis leads from O_a to O_b, and the angles φ, χ, ψ of O_aA, AB and O_bB
+//! are measured from it.
 
 pub(super) mod alternates;
 pub(super) mod ball_burmester;
@@ -28,13 +31,18 @@ pub(super) mod contact_properties;
 pub(super) mod coupler_point;
 pub(super) mod coupler_triangle;
 mod crank_and_slider;
+pub(super) mod dead_centres;
 pub(super) mod displaced_coupler;
+pub(super) mod drawn_four_bar;
 pub(super) mod evans;
 pub(super) mod five_position_pairs;
 pub(super) mod five_positions;
 pub(super) mod five_positions_on_a_line;
 pub(super) mod four_bar;
+pub(super) mod grashof;
+pub(super) mod grashof_rules;
 pub(super) mod inflection_pole;
+pub(super) mod input_output;
 pub(super) mod known_center;
 pub(super) mod moving_plane;
 pub(super) mod one_intersection;
@@ -53,5 +61,8 @@ pub(super) mod stationary_points;
 pub(super) mod symmetric_alternate;
 pub(super) mod symmetric_curve;
 pub(super) mod symmetric_linkage;
+pub(super) mod tangent_of_the_path;
+pub(super) mod transmission_angle;
 pub(super) mod travel;
+pub(super) mod type_of_mechanism;
 pub(super) mod watt;
