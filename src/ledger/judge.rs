@@ -352,6 +352,7 @@ fn run_checks(statement: &Statement, judgement: &mut Judgement) -> Result<(), Ju
                 Basis::Identity => (Proof::Identity, None),
                 Basis::Exact => (Proof::Exact, None),
                 Basis::Instances => (Proof::Instances, Some(report.instances)),
+                Basis::Certified => (Proof::Certified, None),
             };
         }
     }

@@ -12,6 +12,8 @@ pub enum Basis {
     Exact,
     /// Random exact instances.
     Instances,
+    /// Enclosures of one configuration.
+    Certified,
 }
 
 /// What a check found.

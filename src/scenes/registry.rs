@@ -146,6 +146,7 @@ pub fn checks() -> &'static [Check] {
         tesar1964::places_on_a_line::COLLINEAR,
         tesar1964::places_on_a_line::ONE_POINT,
         tesar1964::grashof_rules::CHECK,
+        tesar1964::crank_error::COMPENSATION,
         kaufman::opposite_pole_pairs::CHECK,
         kaufman::equal_angles::CENTERPOINTS,
         kaufman::equal_angles::CIRCLEPOINTS,

@@ -31,6 +31,7 @@ pub(super) mod contact_properties;
 pub(super) mod coupler_point;
 pub(super) mod coupler_triangle;
 mod crank_and_slider;
+pub(super) mod crank_error;
 pub(super) mod dead_centres;
 pub(super) mod displaced_coupler;
 pub(super) mod drawn_four_bar;
