@@ -12,6 +12,8 @@ use std::process::{Command, Stdio};
 mod check_a_solver;
 #[path = "../examples/coming_together.rs"]
 mod coming_together;
+#[path = "../examples/output_of_1964.rs"]
+mod output_of_1964;
 
 #[test]
 fn the_wrong_solver_is_told_what_is_wrong() {
@@ -31,6 +33,17 @@ fn five_positions_that_come_together() {
         let ratio = pair[1].1 / pair[0].1;
         assert!((0.005..0.02).contains(&ratio), "{rows:?}");
     }
+}
+
+/// All rows are in the picture of the documentation but those at the ends of the second derivative, and
+/// it is the one that the program draws.
+#[test]
+fn the_printed_table_over_the_curves() {
+    output_of_1964::main().unwrap();
+    let picture = output_of_1964::picture().unwrap();
+    assert!(picture.matches("<circle").count() > 47 + 35, "{picture}");
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/pictures/output-of-1964.svg");
+    assert!(fs::read_to_string(kept).unwrap() == picture, "draw it anew");
 }
 
 /// The blocks of commands of a page.

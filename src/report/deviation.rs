@@ -1,11 +1,13 @@
-//! The deviation of a point from its line, and its second derivative, over the travel.
+//! A linkage whose point keeps to a line: the linkage, and the deviation from the line and its second
+//! derivative over the travel.
 
 use serde_json::Value;
 
-use super::canvas::Point;
-use super::complex::{Z, z};
+use super::canvas::{Canvas, Joint, Point, Stroke};
+use super::complex::{Z, point, z};
 use super::number;
-use super::plot::{Plot, draw};
+use super::plot::{Plot, block};
+use super::straight_line::Linkage;
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::Number;
 use crate::straight_line::design::Design;
@@ -13,8 +15,25 @@ use crate::straight_line::deviation::driven::Driven;
 
 const STEPS: u32 = 1200;
 
-/// The picture, on the longest arc of the answer.
+/// The linkage in its design position with the whole path of D, and below it the diagrams on the longest
+/// arc of the answer.
 pub fn picture(answer: &Value) -> Option<String> {
+    picture_with(answer, &Points::default())
+}
+
+/// Points from elsewhere to be compared with the curves.
+#[derive(Clone, Debug, Default)]
+pub struct Points {
+    /// What they are.
+    pub name: String,
+    /// u and v.
+    pub deviation: Vec<Point>,
+    /// u and d²v/du².
+    pub second: Vec<Point>,
+}
+
+/// The same with points to compare.
+pub fn picture_with(answer: &Value, points: &Points) -> Option<String> {
     let levels = answer["levels"].as_array()?;
     let span = |level: &&Value| -> Option<[f64; 2]> {
         Some([number(&level["phi"][0])?, number(&level["phi"][1])?])
@@ -51,21 +70,88 @@ pub fn picture(answer: &Value) -> Option<String> {
             } else {
                 Vec::new()
             },
+            marks: points.deviation.clone(),
         },
         Plot {
             title: "Second derivative of v with respect to u".to_owned(),
             across: "travel u, in unit lengths",
             points: middle_half(second),
             levels: Vec::new(),
+            marks: points.second.clone(),
         },
     ];
-    Some(draw(
-        "Deviation from a straight line",
-        "The deviation of the coupler point from its line over its travel along the line, and the second \
-         derivative of the one with respect to the other, on the arc on which the deviation keeps within \
-         the largest level.",
-        &plots,
-    ))
+    let mut canvas = Canvas::new(
+        "A point that keeps to a straight line",
+        "The four-bar O_aABO_b with the point D of its coupler in the design position, the whole path of D and \
+         the line that it keeps to between the ends for each accuracy. Below, over the travel of D along \
+         the line, its deviation from the line, and the second derivative of the deviation with respect to \
+         the travel.",
+    );
+    draw_linkage(&mut canvas, answer, &driven)?;
+    if !points.name.is_empty() {
+        canvas.remark(&format!("circles: {}", points.name));
+    }
+    canvas.below(block(&plots));
+    Some(canvas.to_svg())
+}
+
+fn draw_linkage(canvas: &mut Canvas, answer: &Value, driven: &Driven<f64>) -> Option<()> {
+    let at = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        driven.position(&z(cos, sin))
+    };
+    let [o_a, o_b] = driven.pivots().clone();
+    let start = at(0.0)?;
+    let [a, b] = start.pins;
+    let linkage = Linkage {
+        o_a,
+        a,
+        b,
+        o_b,
+        d: start.point,
+    };
+    for branch in linkage.path() {
+        canvas.line(branch, Stroke::MainPath);
+    }
+    let mut accuracies = Vec::new();
+    let mut ends = Vec::new();
+    for level in answer["levels"].as_array()? {
+        let limits = [number(&level["phi"][0]), number(&level["phi"][1])];
+        let limits: Vec<_> = limits.into_iter().flatten().filter_map(at).collect();
+        if let ([from, to], Some(accuracy)) = (limits.as_slice(), number(&level["D"])) {
+            ends.extend([point(&from.point), point(&to.point)]);
+            let decimals = format!("{accuracy:.12}");
+            accuracies.push(decimals.trim_end_matches('0').to_owned());
+        }
+    }
+    let [.., d] = linkage.joints();
+    let direction = point(&turn(answer, "line")?);
+    let along = |length: f64| [d[0] + length * direction[0], d[1] + length * direction[1]];
+    let travels = ends
+        .iter()
+        .map(|end| (end[0] - d[0]) * direction[0] + (end[1] - d[1]) * direction[1]);
+    let (low, high) = travels.fold((0.0, 0.0), |(low, high): (f64, f64), u| {
+        (low.min(u), high.max(u))
+    });
+    canvas.line([along(1.15 * low), along(1.15 * high)], Stroke::Guide);
+    linkage.draw(canvas);
+    for end in ends {
+        canvas.joint(end, Joint::Mark, "");
+    }
+    canvas.explain(Stroke::MainPath, "path of D");
+    canvas.explain(Stroke::Guide, "the line that it keeps to");
+    canvas.explain(Stroke::Crank, "cranks");
+    canvas.remark(&format!(
+        "dots: where D leaves the line by {} unit lengths, or stops before",
+        accuracies.join(", ")
+    ));
+    Some(())
+}
+
+/// A direction that is given by its angle.
+fn turn(answer: &Value, name: &str) -> Option<Z> {
+    let (sin, cos) = number(&answer[name]["degrees"])?.to_radians().sin_cos();
+    Some(z(cos, sin))
 }
 
 /// Where the travel turns back the derivative is infinite: what is far beyond the rest is left out.
@@ -96,14 +182,10 @@ fn row(driven: &Driven<f64>, degrees: f64) -> Option<[f64; 3]> {
 /// The linkage from its lengths and angles.
 fn driven(answer: &Value) -> Option<Driven<f64>> {
     let length = |name: &str| number(&answer[name]).map(Number);
-    let turn = |name: &str| -> Option<Z> {
-        let (sin, cos) = number(&answer[name]["degrees"])?.to_radians().sin_cos();
-        Some(z(cos, sin))
-    };
     let o_b = Z::from(length("Q")?);
-    let a = turn("phi0")?.scaled(&length("R")?);
-    let b = &o_b + turn("psi0")?.scaled(&length("T")?);
-    let arm = turn("chi0")? * turn("epsilon")?;
+    let a = turn(answer, "phi0")?.scaled(&length("R")?);
+    let b = &o_b + turn(answer, "psi0")?.scaled(&length("T")?);
+    let arm = turn(answer, "chi0")? * turn(answer, "epsilon")?;
     let point = &a + arm.scaled(&length("M")?);
     Driven::new(&Design {
         linkage: CouplerPoint {
@@ -111,6 +193,6 @@ fn driven(answer: &Value) -> Option<Driven<f64>> {
             pins: [a, b],
             point,
         },
-        direction: turn("line")?,
+        direction: turn(answer, "line")?,
     })
 }

@@ -20,6 +20,9 @@ mod straight_line;
 mod stretches;
 mod three_positions;
 
+pub use canvas::Point;
+pub use deviation::{Points, picture_with as deviation_with_points};
+
 use serde_json::Value;
 
 /// A picture of a solved problem as SVG; `None` for kinds of problem that have none, and for answers

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::canvas::{Point, escaped};
+use super::canvas::{Block, Point, escaped};
 
 /// A diagram: its title, what its axes are, and the points of its curve; gaps by NaN.
 pub struct Plot {
@@ -14,6 +14,8 @@ pub struct Plot {
     pub points: Vec<Point>,
     /// Levels drawn as dashed lines.
     pub levels: Vec<f64>,
+    /// Points drawn as small circles; those beyond the curve's range are left out.
+    pub marks: Vec<Point>,
 }
 
 const WIDTH: f64 = 760.0;
@@ -24,25 +26,14 @@ const TOP: f64 = 44.0;
 const WHOLE: f64 = TOP + HEIGHT + 56.0;
 
 /// All diagrams, one below the other.
-pub fn draw(name: &str, description: &str, plots: &[Plot]) -> String {
-    let height = WHOLE * plots.len() as f64 + 20.0;
-    let mut svg = format!(
-        concat!(
-            r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 900 {height}" width="900" "#,
-            r#"height="{height}" role="img" font-family="system-ui, sans-serif" font-size="13">"#,
-            "\n<title>{name}</title>\n<desc>{description}</desc>\n",
-            r##"<rect width="100%" height="100%" fill="#ffffff"/>"##,
-            "\n"
-        ),
-        height = height,
-        name = escaped(name),
-        description = escaped(description)
-    );
+pub fn block(plots: &[Plot]) -> Block {
+    let mut svg = r#"<g font-size="13">"#.to_owned();
     for (place, plot) in plots.iter().enumerate() {
         plot.draw(&mut svg, WHOLE * place as f64);
     }
-    svg.push_str("</svg>\n");
-    svg
+    svg.push_str("</g>\n");
+    let height = WHOLE * plots.len() as f64 + 20.0;
+    Block { svg, height }
 }
 
 /// From least to greatest, never empty.
@@ -160,6 +151,17 @@ impl Plot {
             r##"<path d="{}" fill="none" stroke="#1565c0" stroke-width="1.8"/>"##,
             path.trim_end()
         );
+        let is_within = |value: f64, (low, high): (f64, f64)| low <= value && value <= high;
+        for [u, v] in &self.marks {
+            if is_within(*u, across) && is_within(*v, up) {
+                let _ = writeln!(
+                    svg,
+                    r##"<circle cx="{:.1}" cy="{:.1}" r="3" fill="none" stroke="#d84315"/>"##,
+                    x(*u),
+                    y(*v)
+                );
+            }
+        }
     }
 }
 
@@ -182,7 +184,10 @@ mod tests {
             across: "u",
             points: vec![[f64::NAN; 2]],
             levels: Vec::new(),
+            marks: vec![[0.0, 0.0], [7.0, 0.0]],
         };
-        assert!(draw("n", "d", &[plot]).contains("a &lt; b"));
+        let block = block(&[plot]);
+        assert!(block.svg.contains("a &lt; b"));
+        assert_eq!(block.svg.matches("<circle").count(), 1);
     }
 }
