@@ -88,10 +88,18 @@ const NOT_IN_BALLS: [&str; 5] = [
 ];
 
 /// Scenes of printed examples, which random parameters have no chance to meet: what a program computed.
-const OF_EXAMPLES: [&str; 3] = [
+const OF_EXAMPLES: [&str; 11] = [
     "tesar1964/program",
     "tesar1964/program-level",
     "tesar1964/program-row",
+    "tesar1964/four-bar-with-a-double-point",
+    "tesar1964/alternate-of-a-and-b",
+    "tesar1964/alternate-of-b-and-c",
+    "tesar1964/alternate-of-c-and-a",
+    "tesar1964/burmester-figure",
+    "tesar1964/watt-figure",
+    "tesar1964/symmetric-figure",
+    "tesar1964/evans-figure",
 ];
 
 /// All scenes that random parameters meet.

@@ -81,7 +81,7 @@ pub const SPECIAL: Scene = scene!(
 );
 
 /// The rolling circle with its center in this direction.
-fn rolling<K: Real>(omega: &Angle<K>) -> Displacement<K> {
+pub(super) fn rolling<K: Real>(omega: &Angle<K>) -> Displacement<K> {
     Displacement {
         rotation: omega.cis().conj(),
         translation: omega.cis(),
@@ -89,7 +89,7 @@ fn rolling<K: Real>(omega: &Angle<K>) -> Displacement<K> {
 }
 
 /// The point of the edge that moves along the diameter in this direction.
-fn on_edge<K: Real>(direction: &Angle<K>) -> Point<K> {
+pub(super) fn on_edge<K: Real>(direction: &Angle<K>) -> Point<K> {
     direction.times(2).cis()
 }
 

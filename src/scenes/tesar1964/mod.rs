@@ -36,6 +36,7 @@ pub(super) mod dead_centres;
 pub(super) mod displaced_coupler;
 pub(super) mod drawn_four_bar;
 pub(super) mod evans;
+pub(super) mod figures;
 pub(super) mod five_position_pairs;
 pub(super) mod five_positions;
 pub(super) mod five_positions_on_a_line;

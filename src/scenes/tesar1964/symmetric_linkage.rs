@@ -5,6 +5,7 @@ use crate::curvature::closure;
 use crate::curvature::contact::Guide;
 use crate::curvature::motion::coefficient;
 use crate::formula::Bindings;
+use crate::linkage::cognates::CouplerPoint;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::free::point;
@@ -41,15 +42,11 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let sense = sense(free, "sign of a")?;
     let (c, d) = (free.number("c")?, free.number("d")?);
     let place = point(free, "the point")?;
-    let axis = Point::from(half.clone());
-    let coupler = |along: Number<K>, across: Number<K>| {
-        &axis
-            + Number::complex(Number::zero(), d.clone())
-            + Number::complex(along, across).scaled(&sense)
-    };
-    let pins = [-1, 1].map(|along| coupler(along.into(), Number::zero()));
-    let output = coupler(Number::zero(), -&c);
-    let pivots = [Number::zero(), &axis * 2];
+    let CouplerPoint {
+        pivots,
+        pins,
+        point: output,
+    } = central_position(&half, &sense, &c, &d);
     moves_along_x(&pivots, &pins, &output)?;
     let length = relation::distance::<K>;
     let ([o_a, o_b], [pin_a, pin_b]) = (&pivots, &pins);
@@ -75,6 +72,26 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         bindings.bind(name, value);
     }
     Ok(bindings)
+}
+
+/// The linkage with half of the base and its sense, the height of the triangle and that of the coupler.
+pub(super) fn central_position<K: Real>(
+    half: &Number<K>,
+    sense: &Number<K>,
+    c: &Number<K>,
+    d: &Number<K>,
+) -> CouplerPoint<K> {
+    let axis = Point::from(half.clone());
+    let coupler = |along: Number<K>, across: Number<K>| {
+        &axis
+            + Number::complex(Number::zero(), d.clone())
+            + Number::complex(along, across).scaled(sense)
+    };
+    CouplerPoint {
+        pivots: [Number::zero(), &axis * 2],
+        pins: [-1, 1].map(|along| coupler(along.into(), Number::zero())),
+        point: coupler(Number::zero(), -c),
+    }
 }
 
 /// That the path of the output point starts parallel to the x-axis.

@@ -36,7 +36,7 @@ impl<'a, K: Elementary> Rows<'a, K> {
         };
         let start = driven.position(&Number::one())?;
         let [o_a, o_b] = driven.pivots();
-        rows.phi = as_line(&rows.angle(&(&start.pins[0] - o_a)))?;
+        rows.phi = rows.line(&(&start.pins[0] - o_a))?;
         rows.psi = rows.angle(&(&start.pins[1] - o_b));
         Some(rows)
     }
@@ -56,33 +56,33 @@ impl<'a, K: Elementary> Rows<'a, K> {
         let [u, v] = self.driven.coordinates(position).map(|x| x / self.unit);
         let o_b = &self.driven.pivots()[1];
         let [a, b] = &position.pins;
-        let coupler = as_line(&self.angle(&(b - a)))?;
+        let coupler = self.line(&(b - a))?;
         let rocker = self.angle(&(b - o_b));
         let psi = &rocker - &self.psi;
         let phi = &self.phi + i64::from(degrees);
         let gamma = [
             between_lines(&phi, &coupler)?,
-            between_lines(&as_line(&rocker)?, &coupler)?,
+            between_lines(&self.line(&(b - o_b))?, &coupler)?,
         ];
         Some(Row { u, v, psi, gamma })
     }
 
     /// The angle from the base to an arm in degrees, between −180° and 180°.
     fn angle(&self, arm: &Point<K>) -> Number<K> {
-        let [o_a, o_b] = self.driven.pivots();
-        let turned = arm * (o_b - o_a).conj();
+        let turned = self.from_base(arm);
         turned.im().clone().atan2(turned.re()) * 180 / Number::pi(&self.precision)
     }
-}
 
-/// The angle of a line between −90° and 90°, of an angle between −180° and 180°.
-fn as_line<K: Elementary>(angle: &Number<K>) -> Option<Number<K>> {
-    let right = Number::from(90);
-    if angle.compare(&right)? == Ordering::Greater {
-        Some(angle - 180)
-    } else if angle.compare(&-right)? == Ordering::Less {
-        Some(angle + 180)
-    } else {
-        Some(angle.clone())
+    /// The same for the arm's line, between −90° and 90°; `None` near these ends.
+    fn line(&self, arm: &Point<K>) -> Option<Number<K>> {
+        let turned = self.from_base(arm);
+        let is_upright = turned.re().sign().is_none_or(Ordering::is_eq);
+        (!is_upright)
+            .then(|| (turned.im() / turned.re()).atan() * 180 / Number::pi(&self.precision))
+    }
+
+    fn from_base(&self, arm: &Point<K>) -> Point<K> {
+        let [o_a, o_b] = self.driven.pivots();
+        arm * (o_b - o_a).conj()
     }
 }

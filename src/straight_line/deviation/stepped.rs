@@ -74,7 +74,7 @@ pub fn records<K: Real>(
     };
     let mut records: Vec<Option<Record<K>>> = Vec::new();
     let mut last = start.clone();
-    let mut saved = start.u.clone();
+    let mut saved = (0, start.u.clone());
     let mut heading = Number::zero();
     let mut degrees = side;
     let mut back = 1;
@@ -85,12 +85,14 @@ pub fn records<K: Real>(
                 if degrees == side {
                     heading = &next.u - &start.u;
                 }
-                let turned = (&heading * (&next.u - &saved)).sign()? == Ordering::Less;
-                let turned = turned && rule == Rule::Reversal;
+                // A row that is met again has not turned back.
+                let turned = rule == Rule::Reversal
+                    && degrees != saved.0
+                    && (&heading * (&next.u - &saved.1)).sign()? == Ordering::Less;
                 let gamma = if turned {
                     last.gamma.clone()
                 } else {
-                    saved = next.u.clone();
+                    saved = (degrees, next.u.clone());
                     next.gamma.clone()
                 };
                 let psi = followed(next.psi, &last.psi)?;
@@ -131,16 +133,16 @@ fn followed<K: Real>(angle: Number<K>, near: &Number<K>) -> Option<Number<K>> {
     }
 }
 
-/// |x − y| or the like for two angles of lines in degrees, as that program took the acute angle between
-/// them: by their sizes, whether they have the same sign or not.
+/// The angle between two lines whose angles are given in degrees, as that program took it: |x − y|, but
+/// 180° less |x − y| where that is more than 90° and the angles have different signs. So it is acute while
+/// both lines are between −90° and 90°. `None` where a comparison is not decided that matters.
 pub fn between_lines<K: Real>(x: &Number<K>, y: &Number<K>) -> Option<Number<K>> {
-    let (s, t) = (x.abs(), y.abs());
-    if (x * y).sign()? == Ordering::Greater {
-        return Some((s - t).abs());
+    let (apart, right) = ((x - y).abs(), Number::from(90));
+    match (apart.compare(&right), (x * y).sign()) {
+        (Some(Ordering::Less | Ordering::Equal), _) | (_, Some(Ordering::Greater)) => Some(apart),
+        (Some(Ordering::Greater), Some(_)) => Some((180 - apart).abs()),
+        // Near 90° both are the same.
+        (None, Some(_)) => Some(90 - (90 - apart).abs()),
+        (_, None) => None,
     }
-    let sum = s + t;
-    Some(match sum.compare(&Number::from(90))? {
-        Ordering::Greater => (180 - sum).abs(),
-        _ => sum,
-    })
 }

@@ -1,0 +1,46 @@
+//! Chapter VII: the linkages of the figures, and what the program of chapter VI found of them.
+
+pub mod ball_burmester;
+pub mod evans;
+pub mod precision_points;
+mod results;
+pub mod symmetric;
+pub mod watt;
+
+/// A scene with its parameters and with all that a figure lists.
+macro_rules! figure {
+    ($name:literal, $summary:literal, $build:ident, [$($symbol:literal: $meaning:literal),* $(,)?]) => {
+        $crate::scenes::scene::scene!(
+            $name, $summary, $build, machine: 8, $build,
+            [
+                $($symbol: $meaning,)*
+                "Q": "distance of the pivots, in unit lengths",
+                "R": "length of the crank O_aA, in unit lengths",
+                "S": "length of the coupler AB, in unit lengths",
+                "T": "length of the crank O_bB, in unit lengths",
+                "M": "distance of the output point D from A, in unit lengths",
+                "N": "distance of D from B, in unit lengths",
+                "epsilon": "from AB to AD, in degrees, more than -180 and not more than 180",
+                "phi_0": "from O_aO_b to O_aA in the design position, in degrees from 0 to 360",
+                "L_1": "travel within the first level, in unit lengths",
+                "L_2": "travel within the second level, in unit lengths",
+                "L_3": "travel within the third level, in unit lengths",
+                "phi_1": "turn of R within the first level, in degrees",
+                "phi_2": "turn of R within the second level, in degrees",
+                "phi_3": "turn of R within the third level, in degrees",
+                "psi_1": "turn of T within the first level, to whole degrees",
+                "psi_2": "turn of T within the second level, to whole degrees",
+                "psi_3": "turn of T within the third level, to whole degrees",
+                "gamma_a1": "acute angle between R and the coupler at an end of the first level, the lesser \
+                    one, in degrees",
+                "gamma_a2": "the same for the second level",
+                "gamma_a3": "the same for the third level",
+                "gamma_b1": "acute angle between T and the coupler at an end of the first level, the lesser \
+                    one, in degrees",
+                "gamma_b2": "the same for the second level",
+                "gamma_b3": "the same for the third level",
+            ]
+        )
+    };
+}
+use figure;

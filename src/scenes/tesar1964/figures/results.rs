@@ -1,0 +1,145 @@
+//! What the figures list of a linkage: its dimensions, and the results of the program.
+
+use std::cmp::Ordering;
+
+use rug::Rational;
+
+use crate::formula::Bindings;
+use crate::linkage::cognates::CouplerPoint;
+use crate::number::{Elementary, Number};
+use crate::plane::Point;
+use crate::scenes::Unbuilt;
+use crate::straight_line::design::Design;
+use crate::straight_line::deviation::driven::Driven;
+use crate::straight_line::deviation::rows::Rows;
+use crate::straight_line::deviation::stepped::{Record, Rule, records};
+
+/// Where D is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// On the line through the pins, as the design wants it.
+    OnLine,
+    /// Anywhere.
+    Anywhere,
+}
+
+/// The levels of the deviation up to which a travel counts, in unit lengths.
+pub type Levels = [(i64, i64); 3];
+
+/// Those of the linkages with five infinitely near positions on the line.
+pub const FINE: Levels = [(1, 10_000), (1, 100), (1, 20)];
+
+/// Those of the others.
+pub const COARSE: Levels = [(1, 100), (1, 20), (1, 10)];
+
+/// An angle in degrees, in (−180°, 180°].
+pub fn in_degrees<K: Elementary>(direction: &Point<K>, precision: &K::Precision) -> Number<K> {
+    direction.im().clone().atan2(direction.re()) * 180 / Number::pi(precision)
+}
+
+/// The same angle, or its double for lines, from 0° to a whole turn.
+pub fn not_negative<K: Elementary>(degrees: Number<K>, whole: i64) -> Number<K> {
+    match degrees.sign() {
+        Some(Ordering::Less) => degrees + whole,
+        _ => degrees,
+    }
+}
+
+/// Binds the dimensions of a design and the results for three levels.
+pub fn bind<K: Elementary>(
+    design: &Design<K>,
+    output: Output,
+    levels: Levels,
+    rule: Rule,
+    bindings: &mut Bindings<K>,
+) -> Result<(), Unbuilt> {
+    let precision = bindings.precision().clone();
+    let design = &rounded(design, &precision);
+    let unit = design.unit();
+    for (name, square) in design.squared_lengths() {
+        bindings.bind(name, square.sqrt() / &unit);
+    }
+    let [(_, opening), (_, crank), ..] = design.turns();
+    let phi = in_degrees(&crank, &precision);
+    bindings.bind("phi_0", not_negative(phi, 360));
+    let epsilon = match output {
+        Output::Anywhere => in_degrees(&opening, &precision),
+        Output::OnLine => flat(&opening)?,
+    };
+    bindings.bind("epsilon", epsilon);
+    let undecided = || Unbuilt::NotReal("an angle or a comparison is not decided".to_owned());
+    let driven = Driven::new(design).ok_or_else(undecided)?;
+    let rows = Rows::new(&driven, &unit, &precision).ok_or_else(undecided)?;
+    let bounds = levels.map(|(numerator, denominator)| Number::ratio(numerator, denominator));
+    let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
+    let (from, to) = (side(-1), side(1));
+    let ends = from.ok_or_else(undecided)?.into_iter().zip(to.ok_or_else(undecided)?);
+    for (place, ends) in ends.enumerate() {
+        let (Some(from), Some(to)) = ends else {
+            return Err(Unbuilt::NotReal("half a turn keeps within a level".to_owned()));
+        };
+        bind_level(&from, &to, place + 1, bindings).ok_or_else(undecided)?;
+    }
+    Ok(())
+}
+
+/// The same design in numbers of this precision: roots of exact ones would have none.
+fn rounded<K: Elementary>(design: &Design<K>, precision: &K::Precision) -> Design<K> {
+    let one = Number::rounded(&Rational::from(1), precision);
+    let point = |z: &Point<K>| z.scaled(&one);
+    let CouplerPoint {
+        pivots,
+        pins,
+        point: d,
+    } = &design.linkage;
+    Design {
+        linkage: CouplerPoint {
+            pivots: pivots.each_ref().map(point),
+            pins: pins.each_ref().map(point),
+            point: point(d),
+        },
+        direction: point(&design.direction),
+    }
+}
+
+/// 0 or 180, for an angle whose sides are on one line.
+fn flat<K: Elementary>(opening: &Point<K>) -> Result<Number<K>, Unbuilt> {
+    Unbuilt::unless_true::<K>(opening.im().is_zero(), "D is on the line through A and B")?;
+    match opening.re().sign() {
+        Some(Ordering::Greater) => Ok(Number::zero()),
+        Some(Ordering::Less) => Ok(Number::from(180)),
+        _ => Err(Unbuilt::NotReal("D is in A".to_owned())),
+    }
+}
+
+/// Binds what is recorded at both ends of a level; `None` where a comparison is not decided.
+fn bind_level<K: Elementary>(
+    from: &Record<K>,
+    to: &Record<K>,
+    number: usize,
+    bindings: &mut Bindings<K>,
+) -> Option<()> {
+    let lesser = |i: usize| -> Option<Number<K>> {
+        let [x, y] = [from.row.gamma.get(i)?, to.row.gamma.get(i)?];
+        Some(if x.compare(y)? == Ordering::Less { x } else { y }.clone())
+    };
+    let psi = from.row.psi.abs() + to.row.psi.abs();
+    let mut bind = |name: &str, value: Number<K>| bindings.bind(&format!("{name}{number}"), value);
+    bind("L_", from.row.u.abs() + to.row.u.abs());
+    bind("phi_", Number::from(i64::from(to.degrees - from.degrees)));
+    bind("psi_", to_whole(&psi)?);
+    bind("gamma_a", lesser(0)?);
+    bind("gamma_b", lesser(1)?);
+    Some(())
+}
+
+/// A number that is not negative and less than 720 to the nearest whole one.
+fn to_whole<K: Elementary>(x: &Number<K>) -> Option<Number<K>> {
+    for whole in 0..720 {
+        let ends_below = x.compare(&Number::ratio(2 * whole + 1, 2))?;
+        if ends_below == Ordering::Less {
+            return Some(Number::from(whole));
+        }
+    }
+    None
+}

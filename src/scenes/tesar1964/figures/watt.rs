@@ -1,0 +1,41 @@
+//! Watt's linkages.
+
+use super::figure;
+use super::results::{COARSE, Output, bind};
+use crate::formula::Bindings;
+use crate::number::{Elementary, Number};
+use crate::plane::Angle;
+use crate::scenes::{Free, Scene, Unbuilt};
+use crate::straight_line::deviation::stepped::Rule;
+use crate::straight_line::watt::Watt;
+
+pub const SCENE: Scene = figure!(
+    "tesar1964/watt-figure",
+    "Watt's linkage in the position in which both cranks are at right angles to the coupler, to opposite \
+     sides of it, with the coupler's length as unit before all is divided by the unit length. D is the \
+     point of the coupler with contact of order two at least. The program for it knows no reversal.",
+    build,
+    [
+        "r": "length of the crank O_aA in lengths of the coupler",
+        "t": "length of the crank O_bB in lengths of the coupler",
+    ]
+);
+
+fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let (r, t) = (free.length("r")?, free.length("t")?);
+    let linkage = Watt {
+        r: r.clone(),
+        t: t.clone(),
+        gamma: Angle::from_cos_sin(Number::zero(), Number::one()),
+        n: 1,
+        k: Number::zero(),
+    };
+    let design = linkage
+        .design()
+        .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
+    let mut bindings = Bindings::new(free.precision());
+    bind(&design, Output::OnLine, COARSE, Rule::Closure, &mut bindings)?;
+    bindings.bind("r", r);
+    bindings.bind("t", t);
+    Ok(bindings)
+}
