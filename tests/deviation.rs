@@ -1,11 +1,23 @@
 //! The certified arcs against dense sampling of the finished linkage.
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a test that cannot go on has failed"
+)]
+
+#[path = "support/seed.rs"]
+mod seed;
+
+use std::collections::BTreeSet;
 
 use burmester::linkage::cognates::CouplerPoint;
 use burmester::number::{Number, text::parse_rational};
 use burmester::oracle::{Request, solve};
 use burmester::straight_line::design::Design;
 use burmester::straight_line::deviation::driven::Driven;
+use rand::Rng;
+use rand_chacha::ChaCha8Rng;
+use seed::{generator, rounds};
 use serde_json::{Value, json};
 
 fn answer(problem: &Value) -> Value {
@@ -61,10 +73,49 @@ fn sampled(driven: &Driven<f64>, bound: f64, side: f64) -> (f64, f64) {
     last
 }
 
+/// Compares every end of the certified arcs with sampling; the reasons why they end. `None` where the
+/// design has no linkage, or something is not decided.
+fn compared(design: &Value, levels: [&str; 2]) -> Option<Vec<String>> {
+    let linkages = answer(&json!({"problem": "straight-line", "design": design}));
+    let linkage = linkages.get("solutions")?[0]["linkages"].get(0)?;
+    linkage.get("O_a")?;
+    let driven = driven(linkage);
+    let found = answer(&json!({"problem": "deviation", "design": design, "levels": levels}));
+    if found.get("undecided").is_some() {
+        eprintln!("{design}: undecided {}", found["undecided"]);
+        return None;
+    }
+    let unit = float(&found["unit"]);
+    let mut ends = Vec::new();
+    for level in found["levels"].as_array().unwrap() {
+        let bound = float(&level["D"]) * unit;
+        for (end, side) in [(0, -1.0), (1, 1.0)] {
+            let (degrees, travel) = sampled(&driven, bound, side);
+            let expected = float(&level["phi"][end]);
+            let difference = (degrees - expected).abs();
+            assert!(difference < 0.0021, "{design} {level}: {degrees}");
+            // A direction goes out without its sense.
+            let expected = (float(&level["u"][end]) * unit).abs();
+            let difference = (travel.abs() - expected).abs();
+            // Before a dead centre the travel goes with the root of what is left of the angle.
+            let allowed = match level["ended_by"][end] == "dead-centre" {
+                true => 2e-2,
+                false => 3e-4,
+            };
+            assert!(
+                difference < allowed * unit.max(1.0),
+                "{design} {level}: {travel}"
+            );
+            ends.push(level["ended_by"][end].to_string());
+        }
+    }
+    Some(ends)
+}
+
 #[test]
 fn certified_arcs_agree_with_sampling() {
     let degrees = |angle: &str| json!({"degrees": angle});
-    let mut ends = std::collections::BTreeSet::new();
+    let mut ends = BTreeSet::new();
     for design in [
         json!({"kind": "ball-double-burmester", "alpha_a": degrees("65"), "alpha_b": degrees("165")}),
         json!({"kind": "ball-burmester", "alpha_a": degrees("50"), "alpha_b": degrees("110"),
@@ -76,35 +127,84 @@ fn certified_arcs_agree_with_sampling() {
         json!({"kind": "conchoid", "r": "0.4", "alpha": degrees("20"), "k": "5", "n": "1"}),
         json!({"kind": "symmetric", "a": "3/2", "c": "5", "d": "3/2"}),
     ] {
-        let linkages = answer(&json!({"problem": "straight-line", "design": design}));
-        let driven = driven(&linkages["solutions"][0]["linkages"][0]);
-        let found = answer(&json!({"problem": "deviation", "design": design,
-            "levels": ["0.001", "0.05"]}));
-        assert_eq!(found.get("undecided"), None, "{design}: {found}");
-        let unit = float(&found["unit"]);
-        for level in found["levels"].as_array().unwrap() {
-            let bound = float(&level["D"]) * unit;
-            for (end, side) in [(0, -1.0), (1, 1.0)] {
-                let (degrees, travel) = sampled(&driven, bound, side);
-                let expected = float(&level["phi"][end]);
-                assert!(
-                    (degrees - expected).abs() < 0.0021,
-                    "{design} {level}: {degrees}"
-                );
-                // A direction goes out without its sense.
-                let expected = (float(&level["u"][end]) * unit).abs();
-                let difference = (travel.abs() - expected).abs();
-                // Before a dead centre the travel goes with the root of what is left of the angle.
-                let allowed = match level["ended_by"][end] == "dead-centre" {
-                    true => 2e-2,
-                    false => 2e-4,
-                };
-                assert!(difference < allowed, "{design} {level}: {travel}");
-                ends.insert(level["ended_by"][end].to_string());
-            }
-        }
+        let compared = compared(&design, ["0.001", "0.05"]);
+        ends.extend(compared.unwrap_or_else(|| panic!("{design} is not decided")));
     }
     assert!(ends.len() > 1, "{ends:?}");
+}
+
+/// A random design of one of fifteen kinds.
+fn random_design(random: &mut ChaCha8Rng, kind: usize) -> Value {
+    let mut angle = |least: i32, most: i32| {
+        let hundredths = random.random_range(100 * least..100 * most);
+        format!("{}", f64::from(hundredths) / 100.0)
+    };
+    let [a, b, d] = [angle(5, 85), angle(5, 175), angle(5, 175)];
+    let (omega, start) = (angle(10, 80), angle(5, 175));
+    let from: f64 = start.parse().unwrap();
+    let range = json!({"from": start, "to": format!("{:.2}", from + 5.0)});
+    let [a, b, d, omega] = [a, b, d, omega].map(|degrees| json!({"degrees": degrees}));
+    let mut size = |least: i32, most: i32| {
+        let hundredths = random.random_range(100 * least..100 * most);
+        format!("{}", f64::from(hundredths) / 100.0)
+    };
+    let (k, s, length) = (size(-6, 6), size(-1, 1), size(1, 4));
+    let [other, third, far] = [size(1, 4), size(1, 4), size(2, 9)];
+    let n = if random.random_range(0..2) == 0 {
+        "1"
+    } else {
+        "-1"
+    };
+    let alternate = ["1,2", "2,3", "3,1"][random.random_range(0..3)];
+    match kind {
+        0 => json!({"kind": "ball-double-burmester", "alpha_a": a, "alpha_b": b}),
+        1 => json!({"kind": "ball-burmester", "alpha_a": a, "alpha_b": b, "alpha_d": d,
+            "alternate": alternate}),
+        2 => json!({"kind": "inflection-pole", "k": k, "alpha_a": a, "alternate": alternate}),
+        3 => json!({"kind": "equal-cranks", "k": k, "alternate": alternate}),
+        4 => json!({"kind": "slider-crank", "k": k, "alpha_a": a, "alpha_d": d, "s": [s],
+            "alternate": alternate}),
+        5 => json!({"kind": "ball-intersection", "k": k, "alpha_a": a, "alpha_d": d, "s": s,
+            "alternate": alternate}),
+        6 => json!({"kind": "symmetrical", "k": k, "alpha_a": a, "epsilon": omega}),
+        7 => json!({"kind": "watt", "R": length, "T": other, "gamma": d, "n": n, "k": s}),
+        8 => json!({"kind": "evans", "alpha": {"degrees": "90"}, "beta": {"degrees": "0"},
+            "omega": omega, "rho": s, "k": far}),
+        9 => json!({"kind": "conchoid", "r": length, "alpha": omega, "k": far, "n": n}),
+        10 => json!({"kind": "symmetric", "a": k, "c": s, "d": length}),
+        11 => {
+            json!({"kind": "four-bar", "Q": length, "R": other, "S": third, "T": far, "M": length,
+            "epsilon": omega, "phi0": d})
+        }
+        12 => json!({"kind": "ball-tangent", "k": k, "alpha_a": a, "s": s, "alpha_d": range,
+            "alternate": alternate}),
+        13 => json!({"kind": "ball-burmester-intersection", "k": k, "alpha_a": a, "s": s,
+            "alpha_d": range, "alternate": alternate}),
+        _ => json!({"kind": "ball-two-intersections", "k": k, "alpha_a": a, "s": [s, "0.7"],
+            "alpha_d": range, "alternate": alternate}),
+    }
+}
+
+/// Designs that have a linkage are compared: as many as are wanted, of every kind.
+#[test]
+fn arcs_of_random_designs_agree_with_sampling() {
+    let mut random = generator("arcs_of_random_designs_agree_with_sampling");
+    let wanted = rounds(10);
+    let (mut count, mut tried) = (0, 0);
+    let mut kinds = BTreeSet::new();
+    while count < wanted && tried < 20 * wanted {
+        let kind = tried % 15;
+        tried += 1;
+        if compared(&random_design(&mut random, kind), ["0.001", "0.05"]).is_some() {
+            kinds.insert(kind);
+            count += 1;
+        }
+    }
+    eprintln!(
+        "{count} designs of {} kinds agree, {tried} were drawn",
+        kinds.len()
+    );
+    assert_eq!(count, wanted);
 }
 
 /// The printed output of 1964 for the representative linkage (Tesar, chapter VI).

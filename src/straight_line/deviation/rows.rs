@@ -69,19 +69,20 @@ impl<'a, K: Elementary> Rows<'a, K> {
 
     /// The angle from the base to an arm in degrees, between −180° and 180°.
     fn angle(&self, arm: &Point<K>) -> Number<K> {
-        let turned = self.from_base(arm);
+        let turned = self.seen(arm);
         turned.im().clone().atan2(turned.re()) * 180 / Number::pi(&self.precision)
     }
 
     /// The same for the arm's line, between −90° and 90°; `None` near these ends.
     fn line(&self, arm: &Point<K>) -> Option<Number<K>> {
-        let turned = self.from_base(arm);
+        let turned = self.seen(arm);
         let is_upright = turned.re().sign().is_none_or(Ordering::is_eq);
         (!is_upright)
             .then(|| (turned.im() / turned.re()).atan() * 180 / Number::pi(&self.precision))
     }
 
-    fn from_base(&self, arm: &Point<K>) -> Point<K> {
+    /// In the frame whose x-axis is the base.
+    fn seen(&self, arm: &Point<K>) -> Point<K> {
         let [o_a, o_b] = self.driven.pivots();
         arm * (o_b - o_a).conj()
     }

@@ -105,9 +105,7 @@ fn build_double<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Un
     Ok(bindings)
 }
 
-fn build_at_inflection_pole<K: Elementary>(
-    free: &mut dyn Free<K>,
-) -> Result<Bindings<K>, Unbuilt> {
+fn build_at_inflection_pole<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let (k, alpha_a) = (free.number("k")?, free.angle("alpha_a")?);
     let cranks = at_inflection_pole(&k, &alpha_a).map_err(none)?;
     let mut bindings = results(&cranks, Alternate::Third, Output::Anywhere, free)?;

@@ -46,7 +46,13 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     .checked()
     .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
     let mut bindings = Bindings::new(free.precision());
-    bind(&design, Output::OnLine, COARSE, Rule::Reversal, &mut bindings)?;
+    bind(
+        &design,
+        Output::OnLine,
+        COARSE,
+        Rule::Reversal,
+        &mut bindings,
+    )?;
     bindings.bind("omega", omega);
     bindings.bind("rho", rho);
     bindings.bind("k", k);

@@ -73,10 +73,15 @@ pub fn bind<K: Elementary>(
     let bounds = levels.map(|(numerator, denominator)| Number::ratio(numerator, denominator));
     let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
     let (from, to) = (side(-1), side(1));
-    let ends = from.ok_or_else(undecided)?.into_iter().zip(to.ok_or_else(undecided)?);
+    let ends = from
+        .ok_or_else(undecided)?
+        .into_iter()
+        .zip(to.ok_or_else(undecided)?);
     for (place, ends) in ends.enumerate() {
         let (Some(from), Some(to)) = ends else {
-            return Err(Unbuilt::NotReal("half a turn keeps within a level".to_owned()));
+            return Err(Unbuilt::NotReal(
+                "half a turn keeps within a level".to_owned(),
+            ));
         };
         bind_level(&from, &to, place + 1, bindings).ok_or_else(undecided)?;
     }
@@ -121,7 +126,14 @@ fn bind_level<K: Elementary>(
 ) -> Option<()> {
     let lesser = |i: usize| -> Option<Number<K>> {
         let [x, y] = [from.row.gamma.get(i)?, to.row.gamma.get(i)?];
-        Some(if x.compare(y)? == Ordering::Less { x } else { y }.clone())
+        Some(
+            if x.compare(y)? == Ordering::Less {
+                x
+            } else {
+                y
+            }
+            .clone(),
+        )
     };
     let psi = from.row.psi.abs() + to.row.psi.abs();
     let mut bind = |name: &str, value: Number<K>| bindings.bind(&format!("{name}{number}"), value);

@@ -33,7 +33,13 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     .checked()
     .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
     let mut bindings = Bindings::new(free.precision());
-    bind(&design, Output::Anywhere, COARSE, Rule::Reversal, &mut bindings)?;
+    bind(
+        &design,
+        Output::Anywhere,
+        COARSE,
+        Rule::Reversal,
+        &mut bindings,
+    )?;
     bindings.bind("a", half * sense);
     bindings.bind("c", c);
     bindings.bind("d", d);

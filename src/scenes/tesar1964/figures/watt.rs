@@ -34,7 +34,13 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
         .design()
         .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
     let mut bindings = Bindings::new(free.precision());
-    bind(&design, Output::OnLine, COARSE, Rule::Closure, &mut bindings)?;
+    bind(
+        &design,
+        Output::OnLine,
+        COARSE,
+        Rule::Closure,
+        &mut bindings,
+    )?;
     bindings.bind("r", r);
     bindings.bind("t", t);
     Ok(bindings)
