@@ -138,7 +138,8 @@ fn bind_level<K: Elementary>(
     let psi = from.row.psi.abs() + to.row.psi.abs();
     let mut bind = |name: &str, value: Number<K>| bindings.bind(&format!("{name}{number}"), value);
     bind("L_", from.row.u.abs() + to.row.u.abs());
-    bind("phi_", Number::from(i64::from(to.degrees - from.degrees)));
+    let turn = to.degrees.max(0) - from.degrees.min(0);
+    bind("phi_", Number::from(i64::from(turn)));
     bind("psi_", to_whole(&psi)?);
     bind("gamma_a", lesser(0)?);
     bind("gamma_b", lesser(1)?);
