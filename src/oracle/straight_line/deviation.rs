@@ -127,7 +127,7 @@ impl Problem {
         answer.insert("crank".into(), attempt.decided("crank", crank));
         let derivatives = derivatives(design, &unit, attempt);
         answer.insert("derivatives".into(), derivatives);
-        let arcs = Driven::new(design).and_then(|driven| Arcs::new(driven, attempt.bits));
+        let arcs = Driven::new(design).map(|driven| Arcs::new(driven, attempt.bits));
         let stepped = stepped_levels(design, &unit, &self.levels);
         let levels = self.levels.iter().zip(stepped);
         let levels = levels.map(|(level, stepped)| match &arcs {

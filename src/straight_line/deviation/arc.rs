@@ -1,14 +1,20 @@
 //! The arc on which D keeps within a bound of its line.
 //!
 //! From the design position the crank is turned both ways, until the deviation reaches the bound, the
-//! travel turns back, or the crank comes to a dead centre: whichever is first. Each is the first zero
-//! of a function of the crank's angle, enclosed.
+//! travel turns back, or the crank comes to a dead centre: whichever is first. Dead centres are known
+//! in closed form; the others are first zeros of functions of the crank's angle, enclosed. A sweep in
+//! intervals of machine floats says where to look for them; where it cannot, all angles are searched.
+
+use std::cell::{Cell, OnceCell};
+use std::cmp::Ordering;
 
 use rug::Rational;
 
+use super::closed::Closed;
 use super::driven::{Driven, Position};
+use super::sweep::{First, Sweep};
 use crate::number::zeros::{Function, Zero, first_zero, zeros};
-use crate::number::{Ball, Number, Series};
+use crate::number::{Ball, Interval, Number, Series};
 use crate::plane::Point;
 use crate::straight_line::turning::{cis, path};
 
@@ -69,13 +75,27 @@ fn is_between(x: &Number<Ball>, a: &Number<Ball>, b: &Number<Ball>) -> bool {
     ((x - a) * (b - x)).is_positive().is_yes()
 }
 
+/// An angle in radians, moved by whole turns until it is more than 0 and less than a turn.
+fn within_a_turn(mut angle: Number<Ball>, whole: &Number<Ball>) -> Option<Number<Ball>> {
+    for _ in 0..3 {
+        if angle.sign()?.is_le() {
+            angle += whole;
+        } else if angle.compare(whole)?.is_gt() {
+            angle -= whole;
+        }
+    }
+    Some(angle)
+}
+
 /// A linkage whose arcs are asked for.
 pub struct Arcs {
     driven: Driven<Ball>,
     dual: Driven<Series<Ball>>,
+    closed: Closed<Ball>,
     bits: u32,
-    /// What ends every arc, backwards and forwards.
-    outer: [Limit; 2],
+    /// What ends every arc, backwards and forwards, where it has been searched for.
+    outer: [OnceCell<Option<Limit>>; 2],
+    searches: Cell<usize>,
 }
 
 /// Of the series by which zeros are found: the deviation touches zero in the design position.
@@ -84,20 +104,21 @@ const ORDER: usize = 6;
 const TURN: u32 = 360;
 
 impl Arcs {
-    /// `None` where what ends the arcs could not be decided.
-    pub fn new(driven: Driven<Ball>, bits: u32) -> Option<Self> {
-        let dual = driven.map(|x| x.clone().into());
-        let mut arcs = Arcs {
+    /// All arcs of a linkage, to about so many bits.
+    pub fn new(driven: Driven<Ball>, bits: u32) -> Self {
+        Arcs {
+            dual: driven.map(|x| x.clone().into()),
+            closed: driven.closed(),
             driven,
-            dual,
             bits,
-            outer: [-1, 1].map(|_| Limit {
-                degrees: Number::zero(),
-                end: End::Reversal,
-            }),
-        };
-        arcs.outer = [arcs.outer(-1)?, arcs.outer(1)?];
-        Some(arcs)
+            outer: Default::default(),
+            searches: Cell::new(0),
+        }
+    }
+
+    /// How many ends the sweep has not found.
+    pub fn searches(&self) -> usize {
+        self.searches.get()
     }
 
     /// The first dead centre or reversal on one side.
@@ -116,7 +137,7 @@ impl Arcs {
         let turned = self.first(&travel, &reach)?;
         let (at, end) = match (turned, dead) {
             (Some(turned), Some(dead)) => match turned.compare(&dead)? {
-                std::cmp::Ordering::Less => (turned, End::Reversal),
+                Ordering::Less => (turned, End::Reversal),
                 _ => (dead, End::DeadCentre),
             },
             (Some(turned), None) => (turned, End::Reversal),
@@ -129,13 +150,104 @@ impl Arcs {
         })
     }
 
-    /// The arc on which |v| keeps within a bound.
+    /// The arc on which |v| keeps within a bound; `None` where its ends could not be decided.
     pub fn within(&self, bound: &Number<Ball>) -> Option<[Limit; 2]> {
-        Some([self.limit(bound, -1)?, self.limit(bound, 1)?])
+        let limit = |side: i64| {
+            self.swept(bound, side).or_else(|| {
+                self.searches.set(self.searches.get() + 1);
+                self.searched(bound, side)
+            })
+        };
+        Some([limit(-1)?, limit(1)?])
     }
 
-    fn limit(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
-        let outer = &self.outer[usize::from(side > 0)];
+    /// The end on one side, by a sweep.
+    fn swept(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
+        let dead = self.dead_centre(side)?;
+        let first = Sweep {
+            closed: &self.closed.map(|x| Number(Interval::from(&x.0))),
+            bound: &Interval::from(&bound.0),
+            is_forward: side > 0,
+            dead: dead.as_ref().map(|dead| Interval::from(&dead.0)),
+        }
+        .first()?;
+        let closed = self.closed.map(|x| Number::<Series<Ball>>::from(x.clone()));
+        let turn = |degrees: &Dual| path(&(side * degrees), self.bits);
+        let (at, end) = match first {
+            First::DeadCentre => (dead?, End::DeadCentre),
+            First::Deviation([from, to]) => {
+                let above = self.deviation_at(&to, side).is_positive().is_yes();
+                let edge: Dual = if above { bound.clone() } else { -bound }.into();
+                let excess = |degrees: &Dual| closed.place(&turn(degrees)).v - &edge;
+                (self.only_zero(&excess, &from, &to)?, End::Deviation)
+            }
+            First::Reversal([from, to]) => {
+                let travel = |degrees: &Dual| closed.slopes(&turn(degrees)).u;
+                (self.only_zero(&travel, &from, &to)?, End::Reversal)
+            }
+        };
+        Some(Limit {
+            degrees: side * at,
+            end,
+        })
+    }
+
+    fn deviation_at(&self, degrees: &Rational, side: i64) -> Number<Ball> {
+        let degrees = side * Number::rounded(degrees, &self.bits);
+        self.closed.place(&cis(&degrees, self.bits)).v
+    }
+
+    /// The zero in a short interval in which there is one.
+    fn only_zero(&self, f: &impl Function, from: &Rational, to: &Rational) -> Option<Number<Ball>> {
+        let found = first_zero(f, 1, from, to);
+        let zero = found.isolated.first()?;
+        Some(Number(zero.ball(f, self.bits)))
+    }
+
+    /// The angle to the first dead centre on one side in degrees, more than 0; `Some(None)` where there
+    /// is none. With θ from O_aO_b to O_aA, n = m − |g| cos θ.
+    fn dead_centre(&self, side: i64) -> Option<Option<Number<Ball>>> {
+        let Closed {
+            swing,
+            middle,
+            dead,
+            ..
+        } = &self.closed;
+        let whole = 2 * Number::<Ball>::pi(&self.bits);
+        let length = swing.norm().sqrt();
+        // Not where the angle jumps.
+        let start = if swing.re().sign() == Some(Ordering::Less) {
+            (-swing.im()).atan2(&-swing.re()) + &whole / 2
+        } else {
+            swing.im().clone().atan2(swing.re())
+        };
+        let mut first: Option<Number<Ball>> = None;
+        for distance in dead {
+            let cosine = (middle - distance) / &length;
+            match (1 - cosine.square()).sign()? {
+                Ordering::Less => continue,
+                Ordering::Equal => return None,
+                Ordering::Greater => {}
+            }
+            let angle = cosine.acos();
+            for at in [-&angle, angle] {
+                let step = within_a_turn(side * (at - &start), &whole)?;
+                let is_nearer = match &first {
+                    Some(first) => step.compare(first)?.is_lt(),
+                    None => true,
+                };
+                if is_nearer {
+                    first = Some(step);
+                }
+            }
+        }
+        Some(first.map(|radians| radians * 360 / whole))
+    }
+
+    /// The end on one side, by a search of all angles.
+    fn searched(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
+        let outer = self.outer[usize::from(side > 0)].get_or_init(|| self.outer(side));
+        let outer = outer.as_ref()?;
         let square: Dual = bound.square().into();
         let excess = |degrees: &Dual| {
             self.moving(&(side * degrees), |driven, position| {
@@ -149,7 +261,7 @@ impl Arcs {
         };
         // A crossing beyond the end is none.
         match crossed.compare(&(side * &outer.degrees))? {
-            std::cmp::Ordering::Less => Some(Limit {
+            Ordering::Less => Some(Limit {
                 degrees: side * crossed,
                 end: End::Deviation,
             }),
@@ -219,7 +331,7 @@ impl Arcs {
         }
         extremes.sort_by(|x, y| {
             let order = x.degrees.compare(&y.degrees);
-            order.unwrap_or(std::cmp::Ordering::Equal)
+            order.unwrap_or(Ordering::Equal)
         });
         Some(extremes)
     }
@@ -396,5 +508,50 @@ impl Arcs {
             }
         }
         Some(total * 180 / Number::pi(&self.bits))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::Angle;
+    use crate::straight_line::ball_burmester::{Alternate, double};
+
+    const BITS: u32 = 128;
+
+    fn arcs(alpha_a: i64, alpha_b: i64) -> (Arcs, Number<Ball>) {
+        let angle = |degrees: i64| {
+            let radians = Number::pi(&BITS) * degrees / 180;
+            Angle::from_cos_sin(radians.clone().cos(), radians.sin())
+        };
+        let cranks = double::<Ball>(&angle(alpha_a), &angle(alpha_b)).unwrap();
+        let design = cranks.design(Alternate::First).unwrap();
+        let lengths = design.squared_lengths();
+        let size: Number<Ball> = lengths[..4].iter().map(|(_, x)| x.clone().sqrt()).sum();
+        (Arcs::new(Driven::new(&design).unwrap(), BITS), size / 4)
+    }
+
+    #[test]
+    fn the_sweep_finds_what_the_search_finds() {
+        let mut ends = std::collections::BTreeSet::new();
+        for (alpha_a, alpha_b, divisor) in
+            [(65, 165, 5), (65, 165, 100), (35, 160, 100), (20, 100, 9)]
+        {
+            let (arcs, size) = arcs(alpha_a, alpha_b);
+            let bound = size / divisor;
+            for side in [-1, 1] {
+                let swept = arcs.swept(&bound, side).unwrap();
+                let searched = arcs.searched(&bound, side).unwrap();
+                assert_eq!(swept.end, searched.end, "{alpha_a} {alpha_b}");
+                let difference = &swept.degrees - &searched.degrees;
+                assert!(!difference.is_zero().is_no(), "{difference}");
+                assert!(
+                    difference.0.radius_rational().unwrap() < 1e-15,
+                    "{difference}"
+                );
+                ends.insert(swept.end.name());
+            }
+        }
+        assert_eq!(ends.len(), 3, "{ends:?}");
     }
 }

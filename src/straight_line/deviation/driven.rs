@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use super::closed::Closed;
 use crate::linkage::cognates::CouplerPoint;
 use crate::linkage::four_bar::third_corners;
 use crate::number::{Kind, Number, Real};
@@ -125,6 +126,30 @@ impl<K: Real> Driven<K> {
             rocker,
             travel: along.re().clone(),
             deviation: along.im().clone(),
+        }
+    }
+
+    /// The closed form of u and v.
+    pub fn closed(&self) -> Closed<K> {
+        let CouplerPoint {
+            pivots: [o_a, o_b],
+            pins: [a, _],
+            point,
+        } = &self.start;
+        let along = self.direction.conj();
+        let (base, arm) = (o_b - o_a, a - o_a);
+        let [rod, rocker] = &self.squares;
+        let [sum, product] = [rod + rocker, 2 * (rod * rocker).sqrt()];
+        Closed {
+            start: (o_a - point) * &along,
+            crank: &arm * &along,
+            base: &self.shape * &base * &along,
+            arm: &self.shape * &arm * &along,
+            middle: base.norm() + arm.norm(),
+            swing: 2 * base.conj() * arm,
+            difference: rod - rocker,
+            dead: [&sum - &product, sum + product],
+            is_left: self.is_left,
         }
     }
 

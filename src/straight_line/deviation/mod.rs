@@ -2,10 +2,16 @@
 //!
 //! - [`driven`]: a design driven by its crank O_aA,
 //! - [`arc`]: the exact arc on which the deviation keeps within a bound, with all that happens on it,
+//! - [`closed`]: u and v in closed form,
+//! - [`sweep`]: how far nothing ends the arc, quickly,
+//! - [`floats`]: many positions, and the arcs of many linkages, in floats, with a bound of the error,
 //! - [`stepped`]: the same in steps of one degree, as a program of 1964 went, over the [`rows`] of a
 //!   design.
 
 pub mod arc;
+pub mod closed;
 pub mod driven;
+pub mod floats;
 pub mod rows;
 pub mod stepped;
+pub mod sweep;
