@@ -1,6 +1,7 @@
 //! The command line: one file per command, each thin.
 
 mod candidate;
+mod chart;
 mod designer;
 mod explain;
 mod outcome;
@@ -11,6 +12,7 @@ mod solve;
 mod style;
 mod vectors;
 mod verify;
+mod whole_file;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -72,6 +74,13 @@ enum Command {
     /// computed.
     #[command(subcommand)]
     Vectors(vectors::Command),
+    /// Make the chart of straight-line linkages with a Ball-double-Burmester point
+    ///
+    /// For all pairs of rays, in steps of a degree, how far the point goes within a hundredth of the
+    /// linkage's size from its line, with type and proportions of the linkage: a table, and a picture with
+    /// curves of equal length. Every digit is certified. What is done is kept when the command is
+    /// interrupted, and the next call goes on from there.
+    Chart(chart::Arguments),
 }
 
 /// How an answer is printed.
@@ -110,6 +119,7 @@ pub fn run() -> ExitCode {
         Some(Command::Solve(arguments)) => solve::run(&arguments),
         Some(Command::Score(arguments)) => score::run(&arguments),
         Some(Command::Vectors(command)) => vectors::run(&command),
+        Some(Command::Chart(arguments)) => chart::run(&arguments),
     };
     match outcome {
         Ok(code) => code,

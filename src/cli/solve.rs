@@ -11,6 +11,7 @@ use clap::ValueEnum;
 use serde_json::Value;
 
 use super::outcome::{Failure, print};
+use super::whole_file::write_whole;
 use super::{Format, readable};
 
 /// Arguments of `solve`.
@@ -117,17 +118,4 @@ fn solved(text: &str, place: &str, request: &Request) -> Result<(Value, Value), 
     let answer = oracle::solve(&problem, request)
         .map_err(|error| Failure::wrong(format!("{place}: {error}")))?;
     Ok((problem, answer))
-}
-
-/// Writes a file whole or not at all: beside its place first, then into it.
-fn write_whole(file: &Path, text: &str) -> io::Result<()> {
-    let mut beside = file.as_os_str().to_owned();
-    beside.push(format!(".{}.part", std::process::id()));
-    let beside = PathBuf::from(beside);
-    let written = std::fs::write(&beside, text).and_then(|()| std::fs::rename(&beside, file));
-    if written.is_err() {
-        // Nothing more can be done about a leftover that cannot be removed.
-        let _ = std::fs::remove_file(&beside);
-    }
-    written
 }

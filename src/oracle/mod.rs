@@ -24,6 +24,8 @@ mod three_positions;
 pub mod vectors;
 mod wishes;
 
+pub use straight_line::chart;
+
 use serde_json::{Map, Value, json};
 use thiserror::Error;
 

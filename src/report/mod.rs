@@ -2,6 +2,7 @@
 
 mod canvas;
 mod centerpoint_curve;
+mod chart;
 mod complex;
 mod contour;
 mod curvature;
@@ -21,6 +22,7 @@ mod stretches;
 mod three_positions;
 
 pub use canvas::Point;
+pub use chart::picture as chart;
 pub use deviation::{Points, picture_with as deviation_with_points};
 
 use serde_json::Value;

@@ -98,12 +98,22 @@ pub fn of_rays<K: Real>(
         });
     }
     let k = weighted / weight / apart;
+    with_k(k, alpha_a, alpha_b, alpha_d)
+}
+
+/// The linkage of three rays, of which k is known.
+fn with_k<K: Real>(
+    k: Number<K>,
+    alpha_a: &Angle<K>,
+    alpha_b: &Angle<K>,
+    alpha_d: &Angle<K>,
+) -> Result<Cranks<K>, NoDesign> {
     let linkage = SliderCrank {
         k,
         alpha_a: alpha_a.clone(),
         alpha_d: alpha_d.clone(),
     };
-    if cd.is_zero().is_yes() {
+    if alpha_d.cos().is_zero().is_yes() {
         let cranks = of_slider_crank(&linkage, &linkage.infinitely_near())?;
         return Ok(cranks.with_second_off_the_normal());
     }
@@ -112,7 +122,8 @@ pub fn of_rays<K: Real>(
 }
 
 /// The linkage of two rays of which D is a double Burmester point, α_c = α_d:
-/// tan α_d = −(tan α_a + tan α_b)/(3 + tan α_a tan α_b).
+/// tan α_d = −(tan α_a + tan α_b)/(3 + tan α_a tan α_b). The product of the tangents of B and C = D
+/// gives k = sin α_d cos(α_a + α_b)/(cos α_b sin(α_a − α_d)), also where three rays leave it open.
 pub fn double<K: Real>(alpha_a: &Angle<K>, alpha_b: &Angle<K>) -> Result<Cranks<K>, NoDesign> {
     let (ca, sa) = (alpha_a.cos(), alpha_a.sin());
     let (cb, sb) = (alpha_b.cos(), alpha_b.sin());
@@ -125,9 +136,26 @@ pub fn double<K: Real>(alpha_a: &Angle<K>, alpha_b: &Angle<K>) -> Result<Cranks<
     } else {
         -direction
     };
+    if sa.is_zero().is_yes() {
+        return Err(NoDesign::NoLength("A"));
+    }
+    // Before any root: no kind holds all of them.
+    let off = |c: &Number<K>, s: &Number<K>| s * upwards.re() - c * upwards.im();
+    if off(&ca, &sa).is_zero().is_yes() {
+        return Err(NoDesign::Rays("A and D are on one ray"));
+    }
+    if off(&cb, &sb).is_zero().is_yes() {
+        return Err(NoDesign::Rays("B and D are on one ray"));
+    }
+    if cb.is_zero().is_yes() {
+        return Err(NoDesign::PivotAtInfinity("A"));
+    }
     let length = upwards.norm().sqrt();
-    let alpha_d = Angle::from_cos_sin(upwards.re() / &length, upwards.im() / length);
-    of_rays(alpha_a, alpha_b, &alpha_d)
+    let (cd, sd) = (upwards.re() / &length, upwards.im() / length);
+    let apart = &sa * &cd - &sd * &ca;
+    let k = &sd * (&ca * &cb - &sa * &sb) / (&cb * apart);
+    let alpha_d = Angle::from_cos_sin(cd, sd);
+    with_k(k, alpha_a, alpha_b, &alpha_d)
 }
 
 /// D at the inflection pole, with cranks of equal length: tan² α_a = (k + 1)/(k + 3), α_b = −α_a.

@@ -147,7 +147,7 @@ impl Problem {
 }
 
 /// Which of R and T turn fully.
-fn crank(passage: &Passage<Ball>) -> Option<&'static str> {
+pub(super) fn crank(passage: &Passage<Ball>) -> Option<&'static str> {
     let [r, t] = Drive::ALL.map(|drive| passage.is_crank(drive));
     Some(match (r?, t?) {
         (true, true) => "both",

@@ -1,5 +1,6 @@
 //! `straight-line`: linkages of which a point goes nearly straight.
 
+pub mod chart;
 pub mod deviation;
 mod given;
 mod iterated;

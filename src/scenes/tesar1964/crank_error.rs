@@ -75,7 +75,7 @@ fn way(
 ) -> Option<[Number<Ball>; 2]> {
     let [_, r, ..] = design.squared_lengths();
     let bound = r.1.sqrt() * Number::rounded(accuracy, &BITS);
-    let arcs = Arcs::new(Driven::new(design)?, BITS)?;
+    let arcs = Arcs::new(Driven::new(design)?, BITS);
     let ends = arcs
         .within(&bound)?
         .each_ref()

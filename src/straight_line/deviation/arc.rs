@@ -75,18 +75,6 @@ fn is_between(x: &Number<Ball>, a: &Number<Ball>, b: &Number<Ball>) -> bool {
     ((x - a) * (b - x)).is_positive().is_yes()
 }
 
-/// An angle in radians, moved by whole turns until it is more than 0 and less than a turn.
-fn within_a_turn(mut angle: Number<Ball>, whole: &Number<Ball>) -> Option<Number<Ball>> {
-    for _ in 0..3 {
-        if angle.sign()?.is_le() {
-            angle += whole;
-        } else if angle.compare(whole)?.is_gt() {
-            angle -= whole;
-        }
-    }
-    Some(angle)
-}
-
 /// A linkage whose arcs are asked for.
 pub struct Arcs {
     driven: Driven<Ball>,
@@ -114,6 +102,11 @@ impl Arcs {
             outer: Default::default(),
             searches: Cell::new(0),
         }
+    }
+
+    /// The closed form of the linkage.
+    pub fn closed(&self) -> &Closed<Ball> {
+        &self.closed
     }
 
     /// How many ends the sweep has not found.
@@ -163,7 +156,7 @@ impl Arcs {
 
     /// The end on one side, by a sweep.
     fn swept(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
-        let dead = self.dead_centre(side)?;
+        let dead = self.closed.dead_centre(side > 0, self.bits)?;
         let first = Sweep {
             closed: &self.closed.map(|x| Number(Interval::from(&x.0))),
             bound: &Interval::from(&bound.0),
@@ -200,48 +193,11 @@ impl Arcs {
     /// The zero in a short interval in which there is one.
     fn only_zero(&self, f: &impl Function, from: &Rational, to: &Rational) -> Option<Number<Ball>> {
         let found = first_zero(f, 1, from, to);
+        if !found.unresolved.is_empty() {
+            return None;
+        }
         let zero = found.isolated.first()?;
         Some(Number(zero.ball(f, self.bits)))
-    }
-
-    /// The angle to the first dead centre on one side in degrees, more than 0; `Some(None)` where there
-    /// is none. With θ from O_aO_b to O_aA, n = m − |g| cos θ.
-    fn dead_centre(&self, side: i64) -> Option<Option<Number<Ball>>> {
-        let Closed {
-            swing,
-            middle,
-            dead,
-            ..
-        } = &self.closed;
-        let whole = 2 * Number::<Ball>::pi(&self.bits);
-        let length = swing.norm().sqrt();
-        // Not where the angle jumps.
-        let start = if swing.re().sign() == Some(Ordering::Less) {
-            (-swing.im()).atan2(&-swing.re()) + &whole / 2
-        } else {
-            swing.im().clone().atan2(swing.re())
-        };
-        let mut first: Option<Number<Ball>> = None;
-        for distance in dead {
-            let cosine = (middle - distance) / &length;
-            match (1 - cosine.square()).sign()? {
-                Ordering::Less => continue,
-                Ordering::Equal => return None,
-                Ordering::Greater => {}
-            }
-            let angle = cosine.acos();
-            for at in [-&angle, angle] {
-                let step = within_a_turn(side * (at - &start), &whole)?;
-                let is_nearer = match &first {
-                    Some(first) => step.compare(first)?.is_lt(),
-                    None => true,
-                };
-                if is_nearer {
-                    first = Some(step);
-                }
-            }
-        }
-        Some(first.map(|radians| radians * 360 / whole))
     }
 
     /// The end on one side, by a search of all angles.

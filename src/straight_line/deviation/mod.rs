@@ -3,6 +3,7 @@
 //! - [`driven`]: a design driven by its crank O_aA,
 //! - [`arc`]: the exact arc on which the deviation keeps within a bound, with all that happens on it,
 //! - [`closed`]: u and v in closed form,
+//! - [`crank`]: where the crank is in a dead centre, and where in line with the base,
 //! - [`sweep`]: how far nothing ends the arc, quickly,
 //! - [`floats`]: many positions, and the arcs of many linkages, in floats, with a bound of the error,
 //! - [`stepped`]: the same in steps of one degree, as a program of 1964 went, over the [`rows`] of a
@@ -10,6 +11,7 @@
 
 pub mod arc;
 pub mod closed;
+pub mod crank;
 pub mod driven;
 pub mod floats;
 pub mod rows;

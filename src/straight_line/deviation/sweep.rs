@@ -18,13 +18,13 @@ type Real64 = Number<Interval>;
 /// The longest step in degrees; each finer one is half of the one before.
 const LONGEST: u32 = 8;
 /// Halvings down to the finest step.
-const FINEST: usize = 26;
+const FINEST: usize = 34;
 /// A whole turn in finest steps.
 const TURN: u64 = 360 / LONGEST as u64 * (1 << FINEST);
 /// Steps after which it is given up.
-const MOST_STEPS: usize = 20_000;
+const MOST_STEPS: usize = 6_000;
 /// So many doublings of the finest step are looked at for what ends the arc.
-const AHEAD: usize = 14;
+const AHEAD: usize = 18;
 
 /// e^{iφ} for all steps.
 static TURNS: LazyLock<Vec<Point<Interval>>> = LazyLock::new(|| {

@@ -97,7 +97,7 @@ fn build_certified(free: &mut dyn Free<Ball>) -> Result<Bindings<Ball>, Unbuilt>
     let undecided = || Unbuilt::NotHeld("the ends of the arc".to_owned());
     let design = truth::design(free)?;
     let unit = design.unit();
-    let arcs = Driven::new(&design).and_then(|driven| Arcs::new(driven, free.precision()));
+    let arcs = Driven::new(&design).map(|driven| Arcs::new(driven, free.precision()));
     let arcs = arcs.ok_or_else(undecided)?;
     let accuracy = levels(free)?.pop().ok_or_else(undecided)?;
     let [back, forth] = arcs.within(&(&unit * accuracy)).ok_or_else(undecided)?;

@@ -1,0 +1,114 @@
+//! The chart of linkages with a Ball-double-Burmester point, as it is committed.
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use burmester::number::{Ball, Number};
+use burmester::oracle::chart::{Member, grid, header, row};
+use burmester::straight_line::deviation::closed::Closed;
+use burmester::straight_line::deviation::floats::{FloatArc, arc};
+
+const TABLE: &str = "data/charts/ball-double-burmester.csv";
+
+/// Degrees between the points of the grid; all where BURMESTER_LONG is 1.
+fn step(usual: u32) -> u32 {
+    let is_long = std::env::var("BURMESTER_LONG").is_ok_and(|value| value == "1");
+    if is_long { 1 } else { usual }
+}
+
+#[test]
+fn computed_rows_are_the_committed_ones() {
+    let table = fs::read_to_string(TABLE).unwrap();
+    assert!(table.starts_with(&header(1)), "the header is old");
+    let rows: Vec<&str> = table.strip_prefix(&header(1)).unwrap().lines().collect();
+    let all = grid(1);
+    assert_eq!(rows.len(), all.len());
+    for rays in grid(step(30)) {
+        let place = all.iter().position(|known| *known == rays).unwrap();
+        assert_eq!(rows[place], row(rays).text);
+    }
+}
+
+#[test]
+fn the_picture_is_that_of_the_table() {
+    let table = fs::read_to_string(TABLE).unwrap();
+    let picture = fs::read_to_string(Path::new(TABLE).with_extension("svg")).unwrap();
+    assert!(burmester::report::chart(&table).unwrap() == picture);
+}
+
+fn float(x: &Number<Ball>) -> Number<f64> {
+    Number(x.0.midpoint_rational().unwrap().to_f64())
+}
+
+/// The arc in floats, and the certified length.
+fn both(member: &Member) -> (FloatArc, Number<Ball>) {
+    let closed: Closed<f64> = member.arcs.closed().map(float);
+    let floats = arc(&closed, float(&member.bound()).0).unwrap();
+    let certified = member.arcs.within(&member.bound()).unwrap();
+    for (edge, limit) in floats.ends.iter().zip(&certified) {
+        assert_eq!(edge.end, limit.end);
+    }
+    let [from, to] = certified.each_ref().map(|limit| {
+        let position = member.arcs.position(limit).unwrap();
+        member.arcs.coordinates(&position)[0].clone()
+    });
+    (floats, (to - from).abs())
+}
+
+#[test]
+fn floats_err_by_no_more_than_they_say() {
+    let (mut compared, mut worst) = (0, 0.0f64);
+    for rays in grid(step(9)) {
+        let Ok(member) = Member::of(rays, 128) else {
+            continue;
+        };
+        let (floats, certified) = both(&member);
+        let [length, error] = floats.length();
+        let length = Number::<Ball>::from(rug::Rational::from_f64(length).unwrap());
+        let difference = float(&(length - certified)).0.abs();
+        assert!(
+            difference <= error,
+            "{rays:?}: {difference:e} > {error:e}, {:?}",
+            floats.ends
+        );
+        worst = worst.max(difference / error);
+        compared += 1;
+    }
+    assert!(compared > 80, "{compared}");
+    // A bound that is never nearly reached says nothing.
+    assert!(worst > 1e-3, "{worst:e}");
+}
+
+fn made(folder: &Path, threads: &str) -> [Vec<u8>; 2] {
+    let output = Command::new(env!("CARGO_BIN_EXE_burmester"))
+        .args(["chart", "--step", "30", "--threads", threads, "-o"])
+        .arg(folder)
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let read = |kind: &str| fs::read(folder.join(format!("ball-double-burmester.{kind}"))).unwrap();
+    [read("csv"), read("svg")]
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+#[test]
+fn an_interrupted_call_goes_on_to_the_same_files() {
+    let whole = made(&folder("chart-whole"), "2");
+    let text = String::from_utf8(whole[0].clone()).unwrap();
+    let interrupted = folder("chart-interrupted");
+    let part = interrupted.join("ball-double-burmester.csv.part");
+    // Cut in the middle of a row, after rows in another order.
+    let rows: Vec<&str> = text.strip_prefix(&header(30)).unwrap().lines().collect();
+    let kept = format!("{}{}\n{}\n{}", header(30), rows[4], rows[1], &rows[7][..9]);
+    fs::write(&part, kept).unwrap();
+    assert_eq!(made(&interrupted, "1"), whole);
+    assert!(!part.exists());
+}
