@@ -371,6 +371,64 @@ fn a_table_is_added_without_any_code() {
 }
 
 #[test]
+fn a_table_of_numbers_is_one_entry() {
+    let paper = made_up_paper().replacen("statements = 3", "statements = 5", 1);
+    let paper = format!("{paper}\n{}", documented(3));
+    let output = verify_made_up("made-up-numbers", &paper);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let cells: Vec<serde_json::Value> = text(&output.stdout)
+        .lines()
+        .skip(3)
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let verdicts: Vec<&serde_json::Value> = cells.iter().map(|cell| &cell["verdict"]).collect();
+    assert_eq!(verdicts, ["reproduced", "contradicted"]);
+    assert_eq!(cells[1]["id"], "example2020/table2/d=5/r");
+    assert_eq!(cells[1]["convention"], "The positive one.");
+    // No such cell, a row that is too long.
+    for (from, to, message) in [
+        ("\"d=5/r\"", "\"d=6/r\"", "there is no cell `d=6/r`"),
+        (
+            "[\"0.4495\"] },\n]",
+            "[\"0.4495\", \"1\"] },\n]",
+            "has 2 cells",
+        ),
+    ] {
+        let output = verify_made_up("made-up-numbers", &paper.replacen(from, to, 1));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            text(&output.stderr).contains(message),
+            "{}",
+            text(&output.stderr)
+        );
+    }
+}
+
+/// A printed input is known to its last digit.
+#[test]
+fn measured_inputs_are_intervals() {
+    let paper = made_up_paper();
+    let measured = |witness: &str| {
+        let paper = paper.replacen(
+            "d = \"4\" }",
+            &format!("{witness} }}\nmeasured = {{ d = \"4.00\" }}"),
+            1,
+        );
+        paper.replacen("expected = \"reproduced\"", "expected = \"consistent\"", 1)
+    };
+    let output = verify_made_up("measured", &measured("d = \"4.0001\""));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("\"verdict\":\"consistent\""));
+    let output = verify_made_up("measured", &measured("d = \"4.01\""));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        text(&output.stderr).contains("not within the digits"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+#[test]
 fn an_unexpected_verdict_ends_with_status_1() {
     let paper =
         made_up_paper().replacen("expected = \"reproduced\"", "expected = \"truncated\"", 1);
