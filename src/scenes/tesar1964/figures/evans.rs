@@ -5,11 +5,12 @@ use super::figure;
 use super::results::{COARSE, Output, bind};
 use crate::formula::Bindings;
 use crate::linkage::cognates::CouplerPoint;
-use crate::number::{Elementary, Kind, Number};
+use crate::number::{Elementary, Kind, Number, Real};
 use crate::plane::{Angle, Point};
 use crate::scenes::{Free, Scene, Unbuilt};
 use crate::straight_line::design::Design;
 use crate::straight_line::deviation::stepped::Rule;
+use crate::straight_line::no_design::NoDesign;
 
 pub const SCENE: Scene = figure!(
     "tesar1964/evans-figure",
@@ -28,23 +29,7 @@ pub const SCENE: Scene = figure!(
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let omega = free.angle("omega")?;
     let (rho, k) = (free.number("rho")?, free.number("k")?);
-    let position = rolling(&omega);
-    let on_diameter = |place: &Number<K>| Point::from(place.clone());
-    let a = position.of(&on_diameter(&rho));
-    let central = rolling(&Angle::from_cos_sin(Number::one(), Number::zero()));
-    let o_a = equally_far(&a, &central.of(&on_diameter(&rho)));
-    let b = position.of(&Number::one());
-    let upright = Angle::from_cos_sin(Number::zero(), Number::one());
-    let design = Design {
-        linkage: CouplerPoint {
-            pivots: [o_a, &b + Point::<K>::i().scaled(&k)],
-            pins: [a, b],
-            point: position.of(&on_edge(&upright)),
-        },
-        direction: upright.cis(),
-    }
-    .checked()
-    .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
+    let design = design(&omega, &rho, &k).map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
     let mut bindings = Bindings::new(free.precision());
     bind(
         &design,
@@ -57,6 +42,30 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     bindings.bind("rho", rho);
     bindings.bind("k", k);
     Ok(bindings)
+}
+
+/// The linkage in its initial position.
+pub(super) fn design<K: Real>(
+    omega: &Angle<K>,
+    rho: &Number<K>,
+    k: &Number<K>,
+) -> Result<Design<K>, NoDesign> {
+    let position = rolling(omega);
+    let central = rolling(&Angle::from_cos_sin(Number::one(), Number::zero()));
+    let on_diameter = Point::from(rho.clone());
+    let a = position.of(&on_diameter);
+    let o_a = equally_far(&a, &central.of(&on_diameter));
+    let b = position.of(&Number::one());
+    let upright = Angle::from_cos_sin(Number::zero(), Number::one());
+    Design {
+        linkage: CouplerPoint {
+            pivots: [o_a, &b + Point::<K>::i().scaled(k)],
+            pins: [a, b],
+            point: position.of(&on_edge(&upright)),
+        },
+        direction: upright.cis(),
+    }
+    .checked()
 }
 
 /// The point of the U-axis that is equally far from both.

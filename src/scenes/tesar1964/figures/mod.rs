@@ -1,9 +1,16 @@
 //! Chapter VII: the linkages of the figures, and what the program of chapter VI found of them.
 
 pub mod ball_burmester;
+pub mod contact_of_watt;
+pub mod derivatives;
+mod drawn;
 pub mod evans;
+pub mod intersections;
+pub mod nomograph;
 pub mod precision_points;
+pub mod quoted_angles;
 mod results;
+pub mod stars;
 pub mod symmetric;
 pub mod watt;
 
@@ -22,6 +29,9 @@ macro_rules! figure {
                 "N": "distance of D from B, in unit lengths",
                 "epsilon": "from AB to AD, in degrees, more than -180 and not more than 180",
                 "phi_0": "from O_aO_b to O_aA in the design position, in degrees from 0 to 360",
+                "D_1": "first level: the deviation up to which a travel counts, in unit lengths",
+                "D_2": "second level",
+                "D_3": "third level",
                 "L_1": "travel within the first level, in unit lengths",
                 "L_2": "travel within the second level, in unit lengths",
                 "L_3": "travel within the third level, in unit lengths",

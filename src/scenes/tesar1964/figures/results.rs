@@ -71,6 +71,9 @@ pub fn bind<K: Elementary>(
     let driven = Driven::new(design).ok_or_else(undecided)?;
     let rows = Rows::new(&driven, &unit, &precision).ok_or_else(undecided)?;
     let bounds = levels.map(|(numerator, denominator)| Number::ratio(numerator, denominator));
+    for (place, bound) in bounds.iter().enumerate() {
+        bindings.bind(&format!("D_{}", place + 1), bound.clone());
+    }
     let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
     let (from, to) = (side(-1), side(1));
     let ends = from

@@ -3,7 +3,7 @@
 use super::figure;
 use super::results::{COARSE, Output, bind};
 use crate::formula::Bindings;
-use crate::number::{Elementary, Number};
+use crate::number::{Elementary, Number, Real};
 use crate::plane::Angle;
 use crate::scenes::{Free, Scene, Unbuilt};
 use crate::straight_line::deviation::stepped::Rule;
@@ -23,14 +23,8 @@ pub const SCENE: Scene = figure!(
 
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let (r, t) = (free.length("r")?, free.length("t")?);
-    let linkage = Watt {
-        r: r.clone(),
-        t: t.clone(),
-        gamma: Angle::from_cos_sin(Number::zero(), Number::one()),
-        n: 1,
-        k: Number::zero(),
-    };
-    let design = linkage
+    let upright = Angle::from_cos_sin(Number::zero(), Number::one());
+    let design = upon(&r, &t, &upright)
         .design()
         .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
     let mut bindings = Bindings::new(free.precision());
@@ -44,4 +38,15 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     bindings.bind("r", r);
     bindings.bind("t", t);
     Ok(bindings)
+}
+
+/// The linkage with crossed cranks at this angle with the coupler, and with D on it.
+pub(super) fn upon<K: Real>(r: &Number<K>, t: &Number<K>, gamma: &Angle<K>) -> Watt<K> {
+    Watt {
+        r: r.clone(),
+        t: t.clone(),
+        gamma: gamma.clone(),
+        n: 1,
+        k: Number::zero(),
+    }
 }
