@@ -2,10 +2,10 @@
 
 use super::super::evans::{on_edge, rolling};
 use super::figure;
-use super::results::{COARSE, Output, bind};
+use super::results::{COARSE, Listed, Output, bind, with_arcs};
 use crate::formula::Bindings;
 use crate::linkage::cognates::CouplerPoint;
-use crate::number::{Elementary, Kind, Number, Real};
+use crate::number::{Ball, Elementary, Kind, Number, Real};
 use crate::plane::{Angle, Point};
 use crate::scenes::{Free, Scene, Unbuilt};
 use crate::straight_line::design::Design;
@@ -18,6 +18,7 @@ pub const SCENE: Scene = figure!(
      and D are points of its edge, and move on the U-axis and on the V-axis; A is on the line BD. O_a is \
      the point of the U-axis that is as far from A as from the place of A in the position omega = 0. O_b is \
      at the height k above B.",
+    build_certified,
     build,
     [
         "omega": "direction of the center of the rolling circle",
@@ -27,6 +28,14 @@ pub const SCENE: Scene = figure!(
 );
 
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    Ok(list(free)?.0)
+}
+
+fn build_certified(free: &mut dyn Free<Ball>) -> Result<Bindings<Ball>, Unbuilt> {
+    with_arcs(list(free)?, COARSE)
+}
+
+fn list<K: Elementary>(free: &mut dyn Free<K>) -> Result<Listed<K>, Unbuilt> {
     let omega = free.angle("omega")?;
     let (rho, k) = (free.number("rho")?, free.number("k")?);
     let design = design(&omega, &rho, &k).map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
@@ -41,7 +50,7 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     bindings.bind("omega", omega);
     bindings.bind("rho", rho);
     bindings.bind("k", k);
-    Ok(bindings)
+    Ok((bindings, design))
 }
 
 /// The linkage in its initial position.

@@ -1,6 +1,6 @@
 //! Linkages that were measured in figures.
 
-use super::figure;
+use super::listed;
 use super::results::{COARSE, Output, bind};
 use crate::formula::Bindings;
 use crate::linkage::cognates::CouplerPoint;
@@ -11,11 +11,12 @@ use crate::scenes::{Free, Scene, Unbuilt};
 use crate::straight_line::design::Design;
 use crate::straight_line::deviation::stepped::Rule;
 
-pub const SCENE: Scene = figure!(
+pub const SCENE: Scene = listed!(
     "tesar1964/burmester-figure",
     "A four-bar of which the dimensions are given as they were measured, with B on the left of the way \
      from A to O_b. The line, through D in the design position, is given by its direction; D's deviation \
      from it is what counts.",
+    build,
     build,
     ["theta": "direction of the line, from O_aO_b, in degrees", "U": "unit length before the division"]
 );

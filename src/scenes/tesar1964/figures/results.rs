@@ -6,10 +6,11 @@ use rug::Rational;
 
 use crate::formula::Bindings;
 use crate::linkage::cognates::CouplerPoint;
-use crate::number::{Elementary, Number};
+use crate::number::{Ball, Elementary, Number};
 use crate::plane::Point;
 use crate::scenes::Unbuilt;
 use crate::straight_line::design::Design;
+use crate::straight_line::deviation::arc::Arcs;
 use crate::straight_line::deviation::driven::Driven;
 use crate::straight_line::deviation::rows::Rows;
 use crate::straight_line::deviation::stepped::{Record, Rule, records};
@@ -71,8 +72,9 @@ pub fn bind<K: Elementary>(
     let driven = Driven::new(design).ok_or_else(undecided)?;
     let rows = Rows::new(&driven, &unit, &precision).ok_or_else(undecided)?;
     let bounds = levels.map(|(numerator, denominator)| Number::ratio(numerator, denominator));
-    for (place, bound) in bounds.iter().enumerate() {
-        bindings.bind(&format!("D_{}", place + 1), bound.clone());
+    for (place, (numerator, denominator)) in levels.into_iter().enumerate() {
+        let parts = Number::<K>::from(denominator / numerator);
+        bindings.bind(&format!("n_{}", place + 1), parts);
     }
     let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
     let (from, to) = (side(-1), side(1));
@@ -89,6 +91,54 @@ pub fn bind<K: Elementary>(
         bind_level(&from, &to, place + 1, bindings).ok_or_else(undecided)?;
     }
     Ok(())
+}
+
+/// What a figure lists, and its linkage.
+pub type Listed<K> = (Bindings<K>, Design<K>);
+
+/// Adds the exact arcs to the results.
+pub fn with_arcs(
+    (mut bindings, design): Listed<Ball>,
+    levels: Levels,
+) -> Result<Bindings<Ball>, Unbuilt> {
+    let bits = *bindings.precision();
+    let design = rounded(&design, &bits);
+    let undecided = || Unbuilt::NotReal("the arc of a level is not decided".to_owned());
+    let driven = Driven::new(&design).ok_or_else(undecided)?;
+    let (arcs, unit) = (Arcs::new(driven, bits), design.unit());
+    for (place, (numerator, denominator)) in levels.into_iter().enumerate() {
+        let bound = &unit * Number::<Ball>::ratio(numerator, denominator);
+        bind_arc(&arcs, &bound, &unit, place + 1, &mut bindings).ok_or_else(undecided)?;
+    }
+    Ok(bindings)
+}
+
+fn bind_arc(
+    arcs: &Arcs,
+    bound: &Number<Ball>,
+    unit: &Number<Ball>,
+    number: usize,
+    bindings: &mut Bindings<Ball>,
+) -> Option<()> {
+    let ends = arcs.within(bound)?;
+    let [from, to] = ends.each_ref().map(|end| arcs.position(end));
+    let (from, to) = (from?, to?);
+    let [at_from, at_to] = [&from, &to].map(|end| arcs.coordinates(end));
+    let [back, forth] = ends.each_ref().map(|end| arcs.turn_of_rocker(end));
+    let [first, second] = [&from, &to].map(|end| arcs.transmission_angles(end));
+    let mut bind =
+        |name: &str, value: Number<Ball>| bindings.bind(&format!("{name}{number}e"), value);
+    bind("L_", (&at_to[0] - &at_from[0]).abs() / unit);
+    bind("phi_", &ends[1].degrees - &ends[0].degrees);
+    bind("psi_", back?.abs() + forth?.abs());
+    for (name, (x, y)) in ["gamma_a", "gamma_b"]
+        .into_iter()
+        .zip(first.into_iter().zip(second))
+    {
+        let is_first = x.compare(&y)? == Ordering::Less;
+        bind(name, if is_first { x } else { y });
+    }
+    Some(())
 }
 
 /// The same design in numbers of this precision: roots of exact ones would have none.

@@ -1,9 +1,9 @@
 //! Watt's linkages.
 
 use super::figure;
-use super::results::{COARSE, Output, bind};
+use super::results::{COARSE, Listed, Output, bind, with_arcs};
 use crate::formula::Bindings;
-use crate::number::{Elementary, Number, Real};
+use crate::number::{Ball, Elementary, Number, Real};
 use crate::plane::Angle;
 use crate::scenes::{Free, Scene, Unbuilt};
 use crate::straight_line::deviation::stepped::Rule;
@@ -14,6 +14,7 @@ pub const SCENE: Scene = figure!(
     "Watt's linkage in the position in which both cranks are at right angles to the coupler, to opposite \
      sides of it, with the coupler's length as unit before all is divided by the unit length. D is the \
      point of the coupler with contact of order two at least. The program for it knows no reversal.",
+    build_certified,
     build,
     [
         "r": "length of the crank O_aA in lengths of the coupler",
@@ -22,6 +23,14 @@ pub const SCENE: Scene = figure!(
 );
 
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    Ok(list(free)?.0)
+}
+
+fn build_certified(free: &mut dyn Free<Ball>) -> Result<Bindings<Ball>, Unbuilt> {
+    with_arcs(list(free)?, COARSE)
+}
+
+fn list<K: Elementary>(free: &mut dyn Free<K>) -> Result<Listed<K>, Unbuilt> {
     let (r, t) = (free.length("r")?, free.length("t")?);
     let upright = Angle::from_cos_sin(Number::zero(), Number::one());
     let design = upon(&r, &t, &upright)
@@ -37,7 +46,7 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     )?;
     bindings.bind("r", r);
     bindings.bind("t", t);
-    Ok(bindings)
+    Ok((bindings, design))
 }
 
 /// The linkage with crossed cranks at this angle with the coupler, and with D on it.
