@@ -2,7 +2,9 @@
 //!
 //! For comparison, 360 points on one core of an x86-64 server with AVX-512: in f64 11.9 µs with numpy,
 //! 0.58 µs written by hand in C (47 operations and 6 cycles a point); with 50 certified digits 3.5 ms
-//! with python-flint, 0.55 ms with Arb by hand. No crate offers a coupler curve; what a user would
+//! with python-flint, 0.55 ms with Arb by hand. Here, built for any x86-64 (medians of 2026-11-22, two
+//! cores shared with other work): 1.46 µs in f64, 1.27 ms certified; an arc 30 µs in f64 and 2.9 ms
+//! certified to 128 bits, of which a search of all angles took about a second. No crate offers a coupler curve; what a user would
 //! write instead is the linkage position by position, which `position_by_position` times.
 #![expect(
     clippy::unwrap_used,

@@ -22,7 +22,7 @@ const FINEST: usize = 34;
 /// A whole turn in finest steps.
 const TURN: u64 = 360 / LONGEST as u64 * (1 << FINEST);
 /// Steps after which it is given up.
-const MOST_STEPS: usize = 6_000;
+const MOST_STEPS: usize = 100_000;
 /// So many doublings of the finest step are looked at for what ends the arc.
 const AHEAD: usize = 18;
 
