@@ -1,62 +1,44 @@
 //! How many infinitely near positions a Watt linkage has on its line.
 
+use super::derivatives::derivatives;
 use super::watt::upon;
-use crate::curvature::contact::Contact;
-use crate::number::{Exact, Number, Truth};
+use crate::formula::Bindings;
+use crate::number::{Number, Real};
 use crate::plane::Angle;
-use crate::scenes::Unbuilt;
-use crate::scenes::check::{Basis, Check, Report};
+use crate::scenes::scene::scene;
+use crate::scenes::{Free, Scene, Unbuilt};
 
-pub const CHECK: Check = Check {
-    name: "tesar1964/watt-burmester-point",
-    summary: "Watt's linkages of figures 57 and 59, with cranks at right angles to the coupler: whether the path of \
-              the output point, from the series of the closure, has contact of order four with its tangent in \
-              both. The wrong variant has cranks at another angle.",
-    run,
-};
+pub const SCENE: Scene = scene!(
+    "tesar1964/watt-at-right-angles",
+    "Watt's linkage with crossed cranks at right angles to the coupler, in that position, from the series of \
+     the closure. The output point D is on the coupler, where its path has an inflection.",
+    build,
+    [
+        "R": "length of the crank O_aA in lengths of the coupler",
+        "T": "length of the crank O_bB in lengths of the coupler",
+        "v_2": "second derivative of the deviation of D over its travel",
+        "v_3": "third derivative",
+        "v_4": "fourth derivative",
+    ]
+);
 
-/// Of the series of the path.
-const ORDER: usize = 6;
-
-fn contact(r: (i64, i64), gamma: &Angle<Exact>) -> Result<Contact, Unbuilt> {
-    let no_motion = || Unbuilt::NotReal("the linkage is in a change point".to_owned());
-    upon(&Number::ratio(r.0, r.1), &Number::one(), gamma)
+fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let (r, t) = (free.length("R")?, free.length("T")?);
+    let upright = Angle::from_cos_sin(Number::zero(), Number::one());
+    let design = upon(&r, &t, &upright)
         .design()
-        .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?
-        .contact(ORDER)
-        .ok_or_else(no_motion)
-}
-
-fn run() -> Result<Report, Unbuilt> {
-    let right = Angle::from_cos_sin(Number::zero(), Number::one());
-    let other = Angle::from_tan_half(&Number::ratio(2, 3));
-    let five = |contact: Contact| Truth::from(contact.least >= 4);
-    let [mut holds, mut wrong] = [Truth::Yes; 2];
-    for r in [(1, 1), (1, 2)] {
-        holds = holds & five(contact(r, &right)?);
-        wrong = wrong & five(contact(r, &other)?);
+        .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
+    let change_point = || Unbuilt::NotReal("the linkage is in a change point".to_owned());
+    let [second, third, fourth, _] = derivatives(&design).ok_or_else(change_point)?;
+    let mut bindings = Bindings::new(free.precision());
+    for (name, value) in [
+        ("R", r),
+        ("T", t),
+        ("v_2", second),
+        ("v_3", third),
+        ("v_4", fourth),
+    ] {
+        bindings.bind(name, value);
     }
-    Ok(Report {
-        holds,
-        wrong_variant: wrong,
-        basis: Basis::Exact,
-        instances: 2,
-        exception: None,
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn equal_cranks_have_one_more() {
-        let right = Angle::from_cos_sin(Number::zero(), Number::one());
-        for (r, most) in [((1, 1), 4), ((1, 2), 3), ((2, 3), 3)] {
-            assert_eq!(contact(r, &right).unwrap().most, Some(most), "{r:?}");
-        }
-        let report = run().unwrap();
-        let found = (report.holds, report.wrong_variant);
-        assert_eq!(found, (Truth::No, Truth::No));
-    }
+    Ok(bindings)
 }

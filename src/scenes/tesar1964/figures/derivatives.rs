@@ -29,7 +29,7 @@ pub const ALIKE: Check = Check {
 const INSTANCES: u64 = 4;
 
 /// d²v/du², …, d⁵v/du⁵ in the design position; `None` in a change point.
-fn derivatives<K: Real>(design: &Design<K>) -> Option<[Number<K>; 4]> {
+pub(super) fn derivatives<K: Real>(design: &Design<K>) -> Option<[Number<K>; 4]> {
     let path = design.deviation(6)?;
     let rate = path.u.derivative();
     let mut curve = path.v.derivative() / &rate;
