@@ -19,7 +19,7 @@ const TRIES: u64 = 100;
 const EMULATIONS: u64 = 100;
 
 /// How many inputs are tried within the digits of measured ones.
-const SAMPLES: u64 = 200;
+const SAMPLES: u64 = 40;
 /// Their precision.
 const SAMPLE_BITS: u32 = 128;
 

@@ -92,6 +92,9 @@ impl Machine {
     }
 
     fn of_rational(self, q: &Rational) -> Decimal {
+        if let (Some(whole), true) = (q.numer().to_i128(), q.is_integer()) {
+            return self.rounded(whole, 0);
+        }
         let bits = |i: &Integer| i64::from(i.significant_bits());
         // Three tenths are nearly log 2 to the base ten.
         let shift = (bits(q.denom()) - bits(q.numer())) * 3 / 10 + i64::from(self.digits) + 3;
