@@ -158,7 +158,7 @@ fn certified_arcs_agree_with_sampling() {
     assert!(ends.len() > 1, "{ends:?}");
 }
 
-/// A random design of one of fifteen kinds.
+/// A random design of one of all sixteen kinds.
 fn random_design(random: &mut ChaCha8Rng, kind: usize) -> Value {
     let mut angle = |least: i32, most: i32| {
         let hundredths = random.random_range(100 * least..100 * most);
@@ -205,6 +205,7 @@ fn random_design(random: &mut ChaCha8Rng, kind: usize) -> Value {
             "alternate": alternate}),
         13 => json!({"kind": "ball-burmester-intersection", "k": k, "alpha_a": a, "s": s,
             "alpha_d": range, "alternate": alternate}),
+        14 => json!({"kind": "two-inflections", "k": k, "alpha_a": a}),
         _ => json!({"kind": "ball-two-intersections", "k": k, "alpha_a": a, "s": [s, "0.7"],
             "alpha_d": range, "alternate": alternate}),
     }
@@ -218,7 +219,7 @@ fn arcs_of_random_designs_agree_with_sampling() {
     let (mut count, mut tried) = (0, 0);
     let mut kinds = BTreeSet::new();
     while count < wanted && tried < 20 * wanted {
-        let kind = tried % 15;
+        let kind = tried % 16;
         tried += 1;
         if compared(&random_design(&mut random, kind), ["0.001", "0.05"]).is_some() {
             kinds.insert(kind);
