@@ -12,10 +12,10 @@ use crate::straight_line::deviation::stepped::{Record, Rule, records};
 
 pub const SCENE: Scene = scene!(
     "tesar1964/program-level",
-    "The part of the path of D that keeps within an accuracy: in capitals and Greek letters as the program \
-     has it in steps of one degree of the crank (lines 107 to 236 of its listing), with e for the exact \
-     arc. L is the end towards which the crank turns forwards, R the other one. Lengths are divided by \
-     the unit length, angles are in degrees and measured from the design position.",
+    "The part of the path of D that keeps within an accuracy: as the program has it in steps of one degree \
+     of the crank (lines 107 to 236 of its listing) and, with e, the exact arc. L is the end towards which \
+     the crank turns forwards, R the other one. Lengths are divided by the unit length, angles are in \
+     degrees and measured from the design position.",
     build_certified,
     machine: 8,
     build,
