@@ -224,6 +224,9 @@ fn arcs_of_random_designs_agree_with_sampling() {
         if compared(&random_design(&mut random, kind), ["0.001", "0.05"]).is_some() {
             kinds.insert(kind);
             count += 1;
+            if count % 10 == 0 {
+                eprintln!("{count} designs agree");
+            }
         }
     }
     eprintln!(
