@@ -1,11 +1,11 @@
 //! A chart for designers: how long the point keeps to its line within a hundredth of the linkage's
 //! size, for all linkages with a Ball-double-Burmester point on a grid of their two rays.
 
-use rug::ops::Pow;
-use rug::{Integer, Rational};
+use rug::Rational;
 
 use super::deviation::crank;
 use super::writer::passage;
+use crate::number::text::round_to_decimals;
 use crate::number::{Ball, Number, Real, Surd};
 use crate::oracle::linkages::words;
 use crate::plane::Angle;
@@ -181,19 +181,9 @@ fn of_rays<K: Real>(rays: Rays, precision: &K::Precision) -> Option<Result<Desig
 
 /// Rounded to so many decimals; `None` where that is not the same for all numbers of the ball.
 fn decimals(number: &Number<Ball>, places: u32) -> Option<String> {
-    let scale = Rational::from(10).pow(places);
-    let rounded = |end: Rational| (end * &scale).round().into_numer_denom().0;
-    let low = rounded(number.0.lower()?);
-    let high = rounded(number.0.upper()?);
-    (low == high).then(|| pointed(&low, places as usize))
-}
-
-/// An integer with a decimal point so many places before its end.
-fn pointed(mantissa: &Integer, places: usize) -> String {
-    let sign = if mantissa.cmp0().is_lt() { "-" } else { "" };
-    let digits = format!("{:0>1$}", mantissa.clone().abs().to_string(), places + 1);
-    let (whole, decimals) = digits.split_at(digits.len() - places);
-    format!("{sign}{whole}.{decimals}")
+    let low = round_to_decimals(&number.0.lower()?, places);
+    let high = round_to_decimals(&number.0.upper()?, places);
+    (low == high).then_some(low)
 }
 
 #[cfg(test)]

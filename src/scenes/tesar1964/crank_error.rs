@@ -4,7 +4,7 @@ use rug::Rational;
 
 use crate::linkage::cognates::CouplerPoint;
 use crate::linkage::four_bar::third_corners;
-use crate::number::{Ball, Number, Real, Truth};
+use crate::number::{Ball, Number, Truth};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
@@ -32,10 +32,8 @@ fn undecided() -> Unbuilt {
     Unbuilt::NotHeld("the arc of a linkage".to_owned())
 }
 
-fn cis(degrees: (i32, i32)) -> Result<Angle<Ball>, Unbuilt> {
-    Ball::cos_sin_of_degrees(&Rational::from(degrees), &BITS)
-        .map(|(cos, sin)| Angle::from_cos_sin(Number(cos), Number(sin)))
-        .ok_or_else(undecided)
+fn angle(degrees: (i32, i32)) -> Result<Angle<Ball>, Unbuilt> {
+    Angle::from_degrees(&degrees.into(), &BITS).ok_or_else(undecided)
 }
 
 /// Where the linkage comes with O_aA made longer and turned.
@@ -50,7 +48,7 @@ fn with_error(
         point,
     } = linkage;
     let factor = 1 + Number::rounded(error, &BITS);
-    let longer = o_a + ((a - o_a) * cis(degrees)?.cis()).scaled(&factor);
+    let longer = o_a + ((a - o_a) * angle(degrees)?.cis()).scaled(&factor);
     let squares = [
         relation::distance_squared(a, b),
         relation::distance_squared(b, o_b),
@@ -96,7 +94,7 @@ fn covers(outer: &[Number<Ball>; 2], inner: &[Number<Ball>; 2]) -> Truth {
 }
 
 fn run() -> Result<Report, Unbuilt> {
-    let (a, b) = (cis((15, 1))?, cis((95, 1))?);
+    let (a, b) = (angle((15, 1))?, angle((95, 1))?);
     let design = double(&a, &b)
         .and_then(|cranks| cranks.design(Alternate::First))
         .map_err(|why| Unbuilt::NotReal(why.to_string()))?;

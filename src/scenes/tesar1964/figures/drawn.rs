@@ -5,7 +5,7 @@ use rug::Rational;
 use super::super::symmetric_linkage::central_position;
 use super::{evans, watt};
 use crate::linkage::cognates::CouplerPoint;
-use crate::number::{Ball, Number, Real};
+use crate::number::{Ball, Number};
 use crate::plane::{Angle, Point};
 use crate::scenes::Unbuilt;
 use crate::straight_line::ball_burmester::{Alternate, at_inflection_pole, double, of_rays};
@@ -28,9 +28,7 @@ fn none(reason: NoDesign) -> Unbuilt {
 
 /// A whole angle in degrees.
 pub fn angle(degrees: i64) -> Result<Angle<Ball>, Unbuilt> {
-    Ball::cos_sin_of_degrees(&Rational::from(degrees), &BITS)
-        .map(|(cos, sin)| Angle::from_cos_sin(Number(cos), Number(sin)))
-        .ok_or_else(undecided)
+    Angle::from_degrees(&degrees.into(), &BITS).ok_or_else(undecided)
 }
 
 pub fn number(numerator: i64, denominator: i64) -> Number<Ball> {

@@ -1,6 +1,6 @@
 //! What the program approximates.
 
-use crate::number::{Ball, Number, Real};
+use crate::number::Ball;
 use crate::plane::Angle;
 use crate::scenes::{Free, Unbuilt};
 use crate::straight_line::ball_burmester::{Alternate, double};
@@ -18,7 +18,6 @@ fn ray(free: &mut dyn Free<Ball>, name: &str) -> Result<Angle<Ball>, Unbuilt> {
     let degrees = free.number(name)?;
     let exact = degrees.0.midpoint_rational();
     exact
-        .and_then(|q| Ball::cos_sin_of_degrees(&q, &free.precision()))
-        .map(|(cos, sin)| Angle::from_cos_sin(Number(cos), Number(sin)))
+        .and_then(|q| Angle::from_degrees(&q, &free.precision()))
         .ok_or_else(|| Unbuilt::NotHeld(format!("the cosine of {name}")))
 }
