@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::process::ExitCode;
 
 use burmester::formula::Formula;
-use burmester::ledger::{Content, Judge, Judgement, Options, Paper, Proof, Statement, Verdict};
+use burmester::ledger::{Content, Judge, Judgement, Options, Paper, Statement};
 use burmester::scenes::find_check;
 
 use super::outcome::{Failure, print};
@@ -165,14 +165,14 @@ fn verdict(text: &mut String, statement: &Statement, judgement: &Judgement) {
         text,
         "  {:<10} {name}: {}",
         "verdict",
-        meaning(judgement.verdict)
+        judgement.verdict.meaning()
     );
     say!(
         text,
         "  {:<10} {}: {}",
         "proof",
         judgement.proof,
-        basis(judgement)
+        judgement.basis()
     );
     if statement.expected != judgement.verdict {
         say!(
@@ -222,32 +222,6 @@ fn verdict(text: &mut String, statement: &Statement, judgement: &Judgement) {
     }
     if let Some(note) = &statement.note {
         say!(text, "  {:<10} {}", "note", style::folded(note, 84, 13));
-    }
-}
-
-fn meaning(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Holds => "the line is true",
-        Verdict::HoldsIf => "the line is true under a condition that the text does not state",
-        Verdict::Fails => "the line is false",
-        Verdict::Unclear => "it could not be decided what the line says, or whether it is true",
-        Verdict::Reproduced => "the computed value is what is printed",
-        Verdict::Truncated => "the print cuts off what it should have rounded",
-        Verdict::Noise => "the print differs by no more than the machine's own rounding",
-        Verdict::Consistent => "the print agrees within the digits of its printed inputs",
-        Verdict::Contradicted => "the computed value is not what is printed",
-        Verdict::NotReproducible => "nothing that was tried gives the print",
-    }
-}
-
-fn basis(judgement: &Judgement) -> String {
-    match (judgement.proof, judgement.instances) {
-        (Proof::Identity, _) => "for all values of the symbols".to_owned(),
-        (Proof::Exact, _) => "decided in exact arithmetic on this instance".to_owned(),
-        (Proof::Instances, Some(count)) => format!("{count} random exact instances"),
-        (Proof::Instances, None) => "random exact instances".to_owned(),
-        (Proof::Certified, _) => "a rigorous enclosure".to_owned(),
-        (Proof::Numeric, _) => "samples of limited precision".to_owned(),
     }
 }
 

@@ -7,6 +7,7 @@ mod explain;
 mod outcome;
 mod progress;
 mod readable;
+mod report;
 mod score;
 mod solve;
 mod style;
@@ -81,6 +82,12 @@ enum Command {
     /// curves of equal length. Every digit is certified. What is done is kept when the command is
     /// interrupted, and the next call goes on from there.
     Chart(chart::Arguments),
+    /// Write a site in which every statement of every source can be looked up
+    ///
+    /// A folder of static pages that need no network: one page a source, in the order of the print, with
+    /// every formula, its verdict and how that is known; all errata as one list; pictures; the corpora of
+    /// problems; the scores of other programs. Open index.html in a browser.
+    Report(report::Arguments),
 }
 
 /// How an answer is printed.
@@ -120,6 +127,7 @@ pub fn run() -> ExitCode {
         Some(Command::Score(arguments)) => score::run(&arguments),
         Some(Command::Vectors(command)) => vectors::run(&command),
         Some(Command::Chart(arguments)) => chart::run(&arguments),
+        Some(Command::Report(arguments)) => report::run(&arguments),
     };
     match outcome {
         Ok(code) => code,

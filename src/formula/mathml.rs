@@ -2,21 +2,42 @@
 
 use super::function::Function;
 use super::greek;
+use super::level::Level;
 use super::setting::{self, Style};
 use super::symbol;
-use super::tree::{Formula, Operator, Relation};
+
+use super::tree::{Formula, Operator, Relation, Span, Tree};
 
 /// The formula as a `<math>` element, its canonical text as the alternative.
 pub fn mathml(formula: &Formula) -> String {
+    let style = MathMl { marked: &[] };
+    element_of(&formula.to_string(), &setting::formula(&style, formula))
+}
+
+/// One claim, definition or assumption as a `<math>` element; parts at these places are marked by the
+/// class `differs`.
+pub fn tree_mathml(tree: &Tree, marked: &[Span]) -> String {
+    let set = setting::tree(&MathMl { marked }, tree, Level::For);
+    element_of(&tree.to_string(), &set)
+}
+
+/// What a formula itself calls by a name, in the same way.
+pub fn definition_mathml(name: &str, value: &Tree, marked: &[Span]) -> String {
+    let set = setting::definition(&MathMl { marked }, name, value);
+    element_of(&format!("{name} = {value}"), &set)
+}
+
+fn element_of(text: &str, set: &str) -> String {
     format!(
         "<math xmlns=\"http://www.w3.org/1998/Math/MathML\" display=\"block\" \
-         alttext=\"{}\"><mrow>{}</mrow></math>",
-        escaped(&formula.to_string()),
-        setting::formula(&MathMl, formula)
+         alttext=\"{}\"><mrow>{set}</mrow></math>",
+        escaped(text)
     )
 }
 
-struct MathMl;
+struct MathMl<'a> {
+    marked: &'a [Span],
+}
 
 /// A text as XML takes it, in attributes too.
 fn escaped(text: &str) -> String {
@@ -77,7 +98,7 @@ fn function_name(function: Function) -> String {
 /// The sign between a function and its argument, which is heard and not seen.
 const APPLICATION: &str = "<mo>\u{2061}</mo>";
 
-impl Style for MathMl {
+impl Style for MathMl<'_> {
     const SHAPED: bool = true;
 
     fn number(&self, text: &str) -> String {
@@ -218,5 +239,12 @@ impl Style for MathMl {
             "in" => "∈",
             _ => sign,
         })
+    }
+
+    fn marked(&self, part: &Tree, set: String) -> String {
+        if self.marked.contains(&part.span) {
+            return format!("<mrow class=\"differs\">{set}</mrow>");
+        }
+        set
     }
 }

@@ -2,6 +2,7 @@
 
 mod cis;
 mod compare;
+mod difference;
 mod error;
 mod evaluate;
 pub mod function;
@@ -21,11 +22,12 @@ mod text;
 pub mod tree;
 mod value;
 
+pub use difference::{Difference, difference};
 pub use error::ReadError;
 pub use evaluate::{Bindings, Failure, Outcome, evaluate, evaluate_expression};
 pub use function::Function;
 pub use latex::{latex, tree_latex};
-pub use mathml::mathml;
+pub use mathml::{definition_mathml, mathml, tree_mathml};
 pub use mutant::{Mutant, mutants};
 pub use normal_form::normal_form;
 pub use reader::{DEPTH_LIMIT, LENGTH_LIMIT, NESTING_LIMIT, read};

@@ -49,6 +49,10 @@ pub(super) trait Style {
     fn separator(&self, sign: &str) -> String;
     /// The sign of a definition or of membership.
     fn sign(&self, sign: &str) -> String;
+    /// A part that is set, with a mark where the style marks it.
+    fn marked(&self, _part: &Tree, set: String) -> String {
+        set
+    }
 }
 
 /// A whole formula.
@@ -63,10 +67,7 @@ pub(super) fn formula<S: Style>(style: &S, formula: &Formula) -> String {
         let definitions: Vec<String> = formula
             .definitions
             .iter()
-            .map(|(name, value)| {
-                let value = tree(style, value, Level::Ratio);
-                format!("{}{}{value}", style.symbol(name), style.sign("="))
-            })
+            .map(|(name, value)| definition(style, name, value))
             .collect();
         set += &style.word("where");
         set += &definitions.join(&style.separator(","));
@@ -83,9 +84,15 @@ pub(super) fn formula<S: Style>(style: &S, formula: &Formula) -> String {
     set
 }
 
+/// What a formula itself calls by a name.
+pub(super) fn definition<S: Style>(style: &S, name: &str, value: &Tree) -> String {
+    let value = tree(style, value, Level::Ratio);
+    format!("{}{}{value}", style.symbol(name), style.sign("="))
+}
+
 /// A tree where a construct of this level or a tighter one may stand without parentheses.
 pub(super) fn tree<S: Style>(style: &S, tree: &Tree, context: Level) -> String {
-    let set = bare(style, tree);
+    let set = style.marked(tree, bare(style, tree));
     if level::<S>(tree) < context {
         return style.fenced("(", &[set], ")");
     }

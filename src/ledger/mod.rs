@@ -17,6 +17,7 @@ mod raw_table;
 mod stage;
 mod table;
 mod verdict;
+mod words;
 
 pub use error::JudgeError;
 pub use example::Example;

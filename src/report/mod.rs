@@ -7,15 +7,20 @@ mod complex;
 mod contour;
 mod curvature;
 mod deviation;
+#[cfg(feature = "command")]
+mod errata;
 mod five_positions;
 mod focal_mechanism;
 mod four_bar;
 mod frames;
+pub mod gallery;
 mod hart;
 mod linkage_panels;
 mod mixed_positions;
 mod plot;
 mod poles;
+#[cfg(feature = "command")]
+pub mod site;
 mod slider_crank;
 mod straight_line;
 mod stretches;

@@ -1,0 +1,112 @@
+//! The report: a static site in which every statement of every source can be looked up. It needs no
+//! network, and reads without scripts; these add search, filters and moving pictures.
+
+mod address;
+mod article;
+mod code;
+mod corpora;
+mod digits;
+mod front;
+mod grid;
+mod inline;
+mod known;
+mod layout;
+mod mathematics;
+mod numbers;
+mod scores;
+mod search;
+mod source;
+
+use rayon::prelude::*;
+
+use super::gallery::{Exhibit, GalleryError, of_source};
+use crate::ledger::{Judgement, Paper, Statement};
+use crate::oracle::vectors::CORPORA;
+
+/// A source with what was found of each of its statements, in order.
+pub struct Source<'a> {
+    /// The source.
+    pub paper: &'a Paper,
+    /// One for each statement.
+    pub judgements: Vec<Judgement>,
+}
+
+impl<'a> Source<'a> {
+    /// Every statement with what was found of it.
+    fn decided(&self) -> impl Iterator<Item = Decided<'_>> {
+        let both = self.paper.statements.iter().zip(&self.judgements);
+        both.map(|(statement, judgement)| Decided {
+            statement,
+            judgement,
+        })
+    }
+}
+
+/// A statement and what was found of it.
+#[derive(Clone, Copy)]
+struct Decided<'a> {
+    statement: &'a Statement,
+    judgement: &'a Judgement,
+}
+
+/// A file of the site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// Its place below the folder of the site, with `/` between names.
+    pub path: String,
+    /// All of it.
+    pub text: String,
+}
+
+impl File {
+    fn new(path: impl Into<String>, text: impl Into<String>) -> Self {
+        File {
+            path: path.into(),
+            text: text.into(),
+        }
+    }
+}
+
+/// All files of the site; `step` is called whenever one of [`steps`] parts is done.
+///
+/// # Errors
+/// A picture that cannot be drawn.
+pub fn site(sources: &[Source<'_>], step: impl Fn() + Sync) -> Result<Vec<File>, GalleryError> {
+    let keys: Vec<&str> = sources
+        .iter()
+        .map(|source| source.paper.key.as_str())
+        .collect();
+    let exhibits: Result<Vec<Vec<Exhibit>>, GalleryError> = keys
+        .par_iter()
+        .map(|key| {
+            let exhibits = of_source(key);
+            step();
+            exhibits
+        })
+        .collect();
+    let corpora: Vec<File> = CORPORA
+        .par_iter()
+        .map(|corpus| {
+            let page = corpora::page(corpus);
+            step();
+            page
+        })
+        .collect();
+    let mut files = vec![front::page(sources), scores::page(), corpora::overview()];
+    for (source, exhibits) in sources.iter().zip(exhibits?) {
+        files.push(source::page(source, &exhibits));
+        step();
+    }
+    files.extend(corpora);
+    files.extend(code::pages(sources));
+    files.push(search::index(sources));
+    files.push(File::new("style.css", include_str!("assets/style.css")));
+    files.push(File::new("site.js", include_str!("assets/site.js")));
+    files.push(File::new("ERRATA.md", super::errata::markdown(sources)));
+    Ok(files)
+}
+
+/// How many steps [`site`] takes.
+pub fn steps(sources: &[Source<'_>]) -> usize {
+    2 * sources.len() + CORPORA.len()
+}

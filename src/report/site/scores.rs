@@ -1,0 +1,56 @@
+//! The page of other programs' scores.
+
+use maud::{PreEscaped, html};
+use pulldown_cmark::{Event, LinkType, Options, Parser, Tag, html::push_html};
+
+use super::{File, layout};
+
+/// What the documentation says of candidates, from here on.
+const FIRST_HEADING: &str = "## The candidates here";
+
+/// The page.
+pub fn page() -> File {
+    let text = include_str!("../../../docs/candidates.md");
+    let start = text.find(FIRST_HEADING).unwrap_or(0);
+    let content = html! {
+        h1 { "What other programs find, miss and invent" }
+        p {
+            "Each program was asked every problem of the "
+            a href="corpora.html" { "corpora" }
+            " by " code { "burmester score" }
+            ", and its answers were compared with certified ones."
+        }
+        div.prose { (PreEscaped(prose(text.get(start..).unwrap_or_default()))) }
+    };
+    layout::page("scores.html", "Scores of other programs", &content)
+}
+
+/// Text with headings, lists and tables as HTML. Links into the repository keep their words only.
+fn prose(text: &str) -> String {
+    let parser = Parser::new_ext(text, Options::ENABLE_TABLES);
+    let is_kept = |event: &Event<'_>| match event {
+        Event::Start(Tag::Link {
+            dest_url,
+            link_type,
+            ..
+        }) => *link_type != LinkType::Autolink && dest_url.starts_with("https:"),
+        _ => true,
+    };
+    let mut depth_of_left_out = Vec::new();
+    let events = parser.filter(|event| match event {
+        Event::Start(Tag::Link { .. }) => {
+            depth_of_left_out.push(is_kept(event));
+            is_kept(event)
+        }
+        Event::End(pulldown_cmark::TagEnd::Link) => depth_of_left_out.pop().unwrap_or(true),
+        Event::Html(_) | Event::InlineHtml(_) => false,
+        _ => true,
+    });
+    let mut html = String::new();
+    push_html(&mut html, events);
+    html.replace(
+        "<table>",
+        "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\"><table>",
+    )
+    .replace("</table>", "</table></div>")
+}
