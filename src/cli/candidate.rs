@@ -8,7 +8,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// No answer is longer: 4 MiB.
-const LONGEST_LINE: usize = 1 << 22;
+const LONGEST_LINE: u64 = 1 << 22;
 /// Of what a candidate says last on standard error, so much is kept.
 const LONGEST_REMARK: usize = 300;
 /// A candidate that is silent in so many starts, and never wrote a line, does not work.
@@ -260,11 +260,13 @@ fn listen(output: ChildStdout, events: &Sender<Event>) {
     let mut output = BufReader::new(output);
     loop {
         let mut line = Vec::new();
-        let most = LONGEST_LINE as u64 + 1;
-        let read = output.by_ref().take(most).read_until(b'\n', &mut line);
+        let read = output
+            .by_ref()
+            .take(LONGEST_LINE + 1)
+            .read_until(b'\n', &mut line);
         let event = match read {
             Err(_) | Ok(0) => Event::Closed,
-            Ok(_) if line.len() > LONGEST_LINE => Event::TooLong,
+            Ok(read) if u64::try_from(read).is_ok_and(|read| read > LONGEST_LINE) => Event::TooLong,
             Ok(_) => match String::from_utf8(line) {
                 Ok(line) => Event::Line(line),
                 Err(_) => Event::NoText,

@@ -14,7 +14,8 @@ pub struct Progress {
 impl Progress {
     /// So many things to do, named in the plural.
     pub fn of(total: usize, things: &str) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
+        let total = u64::try_from(total).unwrap_or(u64::MAX);
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         // A template that cannot be read leaves the bar in its standard form.
         let template = format!("{{bar:40}} {{pos}}/{{len}} {things}, {{eta}} left");
         if let Ok(style) = ProgressStyle::with_template(&template) {

@@ -158,7 +158,7 @@ fn show(id: &str, folder: &Folder) -> Result<ExitCode, Failure> {
     let entries = folder.entries(corpus.name).map_err(failed)?;
     let entry = entries
         .into_iter()
-        .find(|entry| entry.problem["id"] == id)
+        .find(|entry| entry.problem.get("id").is_some_and(|own| own == id))
         .ok_or_else(|| {
             Failure::wrong(format!(
                 "there is no problem `{id}` in the corpus {}",
@@ -239,7 +239,10 @@ fn make(folder: &Folder, names: &[String]) -> Result<ExitCode, Failure> {
 fn answered(line: &str) -> Result<Value, Failure> {
     let problem: Value =
         serde_json::from_str(line).map_err(|error| Failure::wrong(error.to_string()))?;
-    answer_line(&problem).map_err(|error| Failure::wrong(format!("{}: {error}", problem["id"])))
+    answer_line(&problem).map_err(|error| {
+        let id = problem.get("id").unwrap_or(&Value::Null);
+        Failure::wrong(format!("{id}: {error}"))
+    })
 }
 
 /// What a check found of a corpus.

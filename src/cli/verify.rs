@@ -67,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let total = papers.iter().map(|paper| paper.statements.len()).sum();
     let progress = Progress::of(total, "statements");
     let mut judge = Judge::new(Options {
-        digits: arguments.digits as usize,
+        digits: usize::try_from(arguments.digits).unwrap_or(usize::MAX),
         mutants: arguments.mutants,
     });
     let mut decided = Vec::new();

@@ -92,9 +92,13 @@ impl Printed {
         } else {
             [self.unit.clone(), -half]
         };
-        let ends = [outwards, inwards].map(|end| &self.value + end);
-        let [least, greatest] = if ends[0] < ends[1] { [0, 1] } else { [1, 0] };
-        *low <= ends[greatest] && ends[least] <= *high
+        let [outer, inner] = [outwards, inwards].map(|end| &self.value + end);
+        let (least, greatest) = if outer < inner {
+            (outer, inner)
+        } else {
+            (inner, outer)
+        };
+        *low <= greatest && least <= *high
     }
 
     /// Whether every number from `low` to `high` gives this print when its further digits are cut.

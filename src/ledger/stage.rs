@@ -8,7 +8,7 @@ use super::Example;
 use crate::formula::Bindings;
 use crate::number::decimal::{Machine, Rounding};
 use crate::number::poly::Fraction;
-use crate::number::{Ball, Decimal, Surd};
+use crate::number::{Ball, Decimal, Surd, count};
 use crate::scenes::free::{Given, Random, Symbols};
 use crate::scenes::{Scene, Unbuilt};
 
@@ -73,7 +73,7 @@ impl Stage {
             }
             return Ok(&self.instances);
         }
-        let last_seed = TRIES * wanted as u64;
+        let last_seed = TRIES * count::to_u64(wanted);
         while self.instances.len() < wanted && self.next_seed < last_seed {
             let seed = self.next_seed;
             self.next_seed += 1;

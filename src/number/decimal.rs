@@ -201,10 +201,10 @@ impl Decimal {
             State::Constant(q) => q.to_f64(),
             // Both are exact where the machine's exponents are moderate.
             State::Stored(Digits { mantissa, exponent }, _) if *exponent < 0 => {
-                *mantissa as f64 / 10_f64.powi(-exponent)
+                f64::integer(*mantissa) / 10_f64.powi(-exponent)
             }
             State::Stored(Digits { mantissa, exponent }, _) => {
-                *mantissa as f64 * 10_f64.powi(*exponent)
+                f64::integer(*mantissa) * 10_f64.powi(*exponent)
             }
             State::None => f64::NAN,
         }

@@ -16,7 +16,10 @@ impl Kind for f64 {
 
     #[inline]
     fn integer(i: i64) -> Self {
-        i as f64
+        #[expect(clippy::as_conversions, reason = "the nearest double")]
+        {
+            i as f64
+        }
     }
 
     #[inline]
@@ -72,7 +75,7 @@ impl Real for f64 {
     fn cos_sin_of_degrees(q: &Rational, (): &()) -> Option<(Self, Self)> {
         if let Some(quarter) = degrees::quarter_turns(q) {
             let (cos, sin) = degrees::cos_sin_of_quarter_turns(quarter);
-            return Some((cos as f64, sin as f64));
+            return Some((Self::integer(cos), Self::integer(sin)));
         }
         let (sin, cos) = q.to_f64().to_radians().sin_cos();
         Some((cos, sin))

@@ -152,7 +152,7 @@ impl Kind for Interval {
 
     #[inline]
     fn integer(i: i64) -> Self {
-        let float = i as f64;
+        let float = f64::integer(i);
         if i.unsigned_abs() < 1 << 53 {
             Interval {
                 low: float,

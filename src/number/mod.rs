@@ -3,8 +3,10 @@
 //! A theory function is written once, for [`Number<K>`](Number) with any [`Kind`], and then runs in
 //! `f64`, in [`Exact`] rationals, in complex numbers over either, and so on.
 
+pub(crate) mod array;
 mod ball;
 pub mod complex;
+pub(crate) mod count;
 pub mod decimal;
 pub mod degrees;
 pub mod exact;

@@ -62,9 +62,9 @@ impl<K: Kind> Number<Series<K>> {
 
     /// The derivative with respect to t; its order is less by one.
     pub fn derivative(&self) -> Self {
-        let terms = self.0.coefficients.iter().enumerate().skip(1);
+        let terms = (0_i64..).zip(&self.0.coefficients).skip(1);
         Number(Series {
-            coefficients: terms.map(|(j, a)| j as i64 * a).collect(),
+            coefficients: terms.map(|(j, a)| j * a).collect(),
             order: self.0.order.map(|order| order.saturating_sub(1)),
         })
     }

@@ -6,6 +6,9 @@ use rug::ops::Pow;
 use rug::{Integer, Rational};
 use thiserror::Error;
 
+use super::Kind;
+use super::count;
+
 /// Digits that a number may have at most, all its parts together.
 pub const MOST_DIGITS: usize = 100_000;
 /// What the exponent of a decimal may be at most, in magnitude.
@@ -92,7 +95,7 @@ struct Reader<'a> {
 
 impl<'a> Reader<'a> {
     fn rest(&self) -> &'a str {
-        &self.text[self.position..]
+        self.text.get(self.position..).unwrap_or_default()
     }
 
     fn place(&self) -> usize {
@@ -124,7 +127,7 @@ impl<'a> Reader<'a> {
             return Err(NumberError::TooManyDigits);
         }
         self.position += count;
-        Ok(&rest[..count])
+        Ok(rest.get(..count).unwrap_or_default())
     }
 
     fn missing_digit(&self) -> NumberError {
@@ -161,8 +164,7 @@ impl<'a> Reader<'a> {
                 return Err(NumberError::TooManyDigits);
             }
             digits.push_str(fraction);
-            // At most MOST_DIGITS.
-            decimals = fraction.len() as i64;
+            decimals = count::to_i64(fraction.len());
         }
         Ok(self.exponent()? - decimals)
     }
@@ -200,7 +202,7 @@ impl<'a> Reader<'a> {
 /// ```
 pub fn round_to_decimals(q: &Rational, decimals: u32) -> String {
     let scaled = Rational::from(q * ten_to(decimals)).round();
-    with_point(scaled.numer(), decimals as usize)
+    with_point(scaled.numer(), count::from_u32(decimals))
 }
 
 /// `integer · 10^(−decimals)` with a decimal point.
@@ -234,20 +236,21 @@ pub(super) fn leading_digits(q: &Rational, digits: usize) -> (Integer, i64) {
     let bits = i64::from(q.numer().significant_bits()) - i64::from(q.denom().significant_bits());
     // |q| is between 2^(bits − 1) and 2^(bits + 1): the estimate of its decimal order is never too
     // high and at most one or two too low.
-    let estimate = ((bits - 1) as f64 * std::f64::consts::LOG10_2).floor() as i64;
-    let count = digits as i64;
-    let mut exponent = estimate + 1 - count;
+    #[expect(clippy::as_conversions, reason = "a whole number less than the bits")]
+    let estimate = (f64::integer(bits - 1) * std::f64::consts::LOG10_2).floor() as i64;
+    let digits = count::to_i64(digits);
+    let mut exponent = estimate + 1 - digits;
     loop {
         let mantissa = scaled_integer(q, -exponent);
-        let length = mantissa.to_string().trim_start_matches('-').len() as i64;
-        if length == count {
+        let length = count::to_i64(mantissa.to_string().trim_start_matches('-').len());
+        if length == digits {
             return (mantissa, exponent);
         }
-        if length == count + 1 && mantissa.clone().abs() == power_of_ten(count) {
+        if length == digits + 1 && mantissa.clone().abs() == power_of_ten(digits) {
             // Rounded up to the next power of ten.
             return (mantissa / 10, exponent + 1);
         }
-        exponent += (length - count).signum();
+        exponent += (length - digits).signum();
     }
 }
 
@@ -262,20 +265,24 @@ pub(super) fn decimal_text(mantissa: &Integer, exponent: i64) -> String {
     if shortened.is_empty() {
         return "0".to_owned();
     }
-    let dropped = (digits.len() - shortened.len()) as i64;
+    let dropped = count::to_i64(digits.len() - shortened.len());
     let sign = if mantissa.is_negative() { "-" } else { "" };
     // The exponent of the first digit.
-    let order = exponent + digits.len() as i64 - 1;
+    let order = exponent + count::to_i64(digits.len()) - 1;
     if (-4..0).contains(&order) {
-        let zeros = "0".repeat(order.unsigned_abs() as usize - 1);
+        let zeros = "0".repeat(count::from_u64(order.unsigned_abs() - 1));
         return format!("{sign}0.{zeros}{shortened}");
     }
-    if order >= 0 && exponent <= 0 && order < 40.max(digits.len() as i64) {
-        let whole = order as usize + 1;
+    if let Ok(order) = usize::try_from(order)
+        && exponent <= 0
+        && order < 40.max(digits.len())
+    {
+        let (whole, _) = digits.split_at(order + 1);
         return if exponent + dropped >= 0 {
-            format!("{sign}{}", &digits[..whole])
+            format!("{sign}{whole}")
         } else {
-            format!("{sign}{}.{}", &digits[..whole], &shortened[whole..])
+            let (_, fraction) = shortened.split_at(order + 1);
+            format!("{sign}{whole}.{fraction}")
         };
     }
     let (first, others) = shortened.split_at(1);

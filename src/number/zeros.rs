@@ -9,6 +9,7 @@
 
 use rug::Rational;
 
+use super::count;
 use super::{Ball, Number, Series};
 
 /// Bits while zeros are being separated.
@@ -212,7 +213,7 @@ impl Interval {
         let last = over_all.coefficient(order);
         let terms = |derived: bool| -> Number<Ball> {
             // Horner, from the term over the whole interval down.
-            let factor = |j: usize| if derived { j as i64 } else { 1 };
+            let factor = |j: usize| if derived { count::to_i64(j) } else { 1 };
             let start = factor(order) * &last;
             let lowest = usize::from(derived);
             let add = |sum: Number<Ball>, j: usize| sum * &step + factor(j) * around.coefficient(j);

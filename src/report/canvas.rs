@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use crate::number::count;
+
 /// A point of the drawing.
 pub type Point = [f64; 2];
 
@@ -176,7 +178,7 @@ impl Canvas {
         let height = (y1 - y0) * scale + 2.0 * MARGIN;
         let left = (WIDTH - (x1 - x0) * scale) / 2.0;
         let place = |[x, y]: Point| [left + (x - x0) * scale, MARGIN + (y1 - y) * scale];
-        let below = height + LINE_HEIGHT * (self.legend.len() as f64 + 1.0);
+        let below = height + LINE_HEIGHT * (count::to_f64(self.legend.len()) + 1.0);
         let whole = below + self.below.height;
         let mut svg = String::new();
         // Writing to a string cannot fail.
@@ -227,7 +229,7 @@ impl Canvas {
             );
         }
         for (row, (stroke, text)) in self.legend.iter().enumerate() {
-            let y = height + LINE_HEIGHT * (row as f64 + 0.5);
+            let y = height + LINE_HEIGHT * (count::to_f64(row) + 0.5);
             if let Some(stroke) = stroke {
                 let line = [[MARGIN, y - 5.0], [MARGIN + 44.0, y - 5.0]];
                 polyline(&mut svg, line.into_iter(), *stroke);

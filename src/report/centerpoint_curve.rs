@@ -131,9 +131,9 @@ fn pieces(cubic: &Cubic<f64>, kind: &str, window: (Point, Point)) -> Vec<Vec<Poi
 /// the other.
 fn within(points: Vec<Point>, (low, high): (Point, Point)) -> Vec<Point> {
     let margin = (high[0] - low[0]).max(high[1] - low[1]);
-    let is_near = |p: &Point| {
-        (0..2).all(|axis| p[axis] > low[axis] - margin && p[axis] < high[axis] + margin)
-    };
+    let is_between = |x: f64, low: f64, high: f64| x > low - margin && x < high + margin;
+    let is_near =
+        |[x, y]: &Point| is_between(*x, low[0], high[0]) && is_between(*y, low[1], high[1]);
     points
         .into_iter()
         .map(|point| {

@@ -51,7 +51,9 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         pair.points().for_each(|at| canvas.show(at));
     }
     draw_circle(&mut canvas, pole, inflection_pole);
-    draw_cubic(&mut canvas, &answer["circlepoint"]["coefficients"]);
+    if let Some(coefficients) = answer.pointer("/circlepoint/coefficients") {
+        draw_cubic(&mut canvas, coefficients);
+    }
     for pair in found.iter().filter(|pair| shown(pair)) {
         draw_pair(&mut canvas, pair);
     }
@@ -157,27 +159,28 @@ fn draw_paths(canvas: &mut Canvas, problem: &Value, points: &[Point], size: f64)
         let path = motion.path_of(&z(*x, *y));
         let terms: Vec<Point> = (0..=ORDER).map(|j| point(&coefficient(&path, j))).collect();
         let at = |t: f64| {
-            let sum = |axis: usize| {
-                terms
-                    .iter()
-                    .rev()
-                    .fold(0.0, |sum, term| sum * t + term[axis])
-            };
-            [sum(0), sum(1)]
+            let last_first = terms.iter().rev();
+            last_first.fold([0.0; 2], |[x, y], [u, v]| [x * t + u, y * t + v])
         };
-        let speed = terms[1][0].hypot(terms[1][1]);
+        let [start, velocity, ..] = *terms else {
+            continue;
+        };
+        let speed = velocity[0].hypot(velocity[1]);
         if speed == 0.0 {
             continue;
         }
         // Not beyond where the last terms show.
-        let small = |(j, term): (usize, &Point)| {
+        let small = |(j, term): (u32, &Point)| {
             let length = term[0].hypot(term[1]);
-            (size / 50.0 / length).powf(1.0 / j as f64)
+            (size / 50.0 / length).powf(1.0 / f64::from(j))
         };
-        let last = terms.iter().enumerate().skip(3).map(small);
+        let last = (0..).zip(&terms).skip(3).map(small);
         let reach = last.fold(size / 5.0 / speed, f64::min);
-        let along =
-            |sign: f64| [0, 1].map(|axis: usize| terms[0][axis] + sign * reach * terms[1][axis]);
+        let along = |sign: f64| {
+            let [x, y] = start;
+            let [u, v] = velocity;
+            [x + sign * reach * u, y + sign * reach * v]
+        };
         canvas.line([along(-1.0), along(1.0)], Stroke::Path);
         let times =
             (0..=STEPS).map(|step| reach * (2.0 * f64::from(step) / f64::from(STEPS) - 1.0));
@@ -201,7 +204,10 @@ fn motion(problem: &Value) -> Option<Motion<f64>> {
     }
     let links = problem.get("links")?.as_array()?;
     let guide = |link: &Value| {
-        let direction = |name: &str| finite_point(&link[name]["at_infinity"]).map(|[x, y]| z(x, y));
+        let direction = |name: &str| {
+            let at_infinity = link.get(name)?.get("at_infinity")?;
+            finite_point(at_infinity).map(|[x, y]| z(x, y))
+        };
         let finite = |name: &str| finite_point(&link[name]).map(|[x, y]| z(x, y));
         Some(match (direction("circlepoint"), direction("center")) {
             (Some(normal), _) => Guide::MovingLine {

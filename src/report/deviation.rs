@@ -5,9 +5,9 @@ use serde_json::Value;
 
 use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::{Z, point, z};
-use super::number;
 use super::plot::{Plot, block};
 use super::straight_line::Linkage;
+use super::{number, numbers};
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::Number;
 use crate::straight_line::design::Design;
@@ -35,9 +35,7 @@ pub struct Points {
 /// The same with points to compare.
 pub fn picture_with(answer: &Value, points: &Points) -> Option<String> {
     let levels = answer["levels"].as_array()?;
-    let span = |level: &&Value| -> Option<[f64; 2]> {
-        Some([number(&level["phi"][0])?, number(&level["phi"][1])?])
-    };
+    let span = |level: &&Value| -> Option<[f64; 2]> { numbers(&level["phi"]) };
     let longest = levels
         .iter()
         .filter_map(|level| Some((level, span(&level)?)))
@@ -116,8 +114,8 @@ fn draw_linkage(canvas: &mut Canvas, answer: &Value, driven: &Driven<f64>) -> Op
     let mut accuracies = Vec::new();
     let mut ends = Vec::new();
     for level in answer["levels"].as_array()? {
-        let limits = [number(&level["phi"][0]), number(&level["phi"][1])];
-        let limits: Vec<_> = limits.into_iter().flatten().filter_map(at).collect();
+        let limits = level["phi"].as_array().into_iter().flatten();
+        let limits: Vec<_> = limits.filter_map(number).filter_map(at).collect();
         if let ([from, to], Some(accuracy)) = (limits.as_slice(), number(&level["D"])) {
             ends.extend([point(&from.point), point(&to.point)]);
             let decimals = format!("{accuracy:.12}");
@@ -150,7 +148,8 @@ fn draw_linkage(canvas: &mut Canvas, answer: &Value, driven: &Driven<f64>) -> Op
 
 /// A direction that is given by its angle.
 fn turn(answer: &Value, name: &str) -> Option<Z> {
-    let (sin, cos) = number(&answer[name]["degrees"])?.to_radians().sin_cos();
+    let degrees = number(answer.get(name)?.get("degrees")?)?;
+    let (sin, cos) = degrees.to_radians().sin_cos();
     Some(z(cos, sin))
 }
 

@@ -109,7 +109,9 @@ fn coordinates(at: Point) -> String {
     let short = |x: f64| {
         if x.abs() < 1e5 {
             let places = (3.0 - x.abs().max(1e-3).log10().floor()).clamp(0.0, 6.0);
-            format!("{x:.*}", places as usize)
+            #[expect(clippy::as_conversions, reason = "a whole number from 0 to 6")]
+            let places = places as usize;
+            format!("{x:.places$}")
         } else {
             format!("{x:.3e}")
         }

@@ -104,7 +104,10 @@ fn assembled(answer: &Value) -> Option<Linkage> {
     let at = |name: &str| finite_point(&answer[name]).map(|[x, y]| z(x, y));
     let (o_a, o_b) = (at("O_a")?, at("O_b")?);
     let (r, s, t, m) = (length("R")?, length("S")?, length("T")?, length("M")?);
-    let epsilon = number(&answer["epsilon"]["degrees"]).unwrap_or(0.0);
+    let epsilon = answer
+        .pointer("/epsilon/degrees")
+        .and_then(number)
+        .unwrap_or(0.0);
     let (sin, cos) = epsilon.to_radians().sin_cos();
     let shape = z(cos * m / s, sin * m / s);
     let linkage = |step: u32| -> Option<Linkage> {

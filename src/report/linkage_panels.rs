@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::canvas::{Block, Point, escaped};
+use crate::number::count;
 
 /// A four-bar B₁A₁A₂B₂ in five positions.
 pub struct Linkage {
@@ -34,12 +35,12 @@ pub fn draw(linkages: &[Linkage]) -> Block {
     for row in linkages.chunks(COLUMNS) {
         let captions: Vec<Vec<String>> = row.iter().map(caption).collect();
         for (column, (linkage, lines)) in row.iter().zip(&captions).enumerate() {
-            let left = LEFT + column as f64 * (WIDTH + GAP);
+            let left = LEFT + count::to_f64(column) * (WIDTH + GAP);
             draw_linkage(&mut svg, linkage, [left, top]);
             draw_caption(&mut svg, lines, [left, top + HEIGHT + 22.0]);
         }
         let most = captions.iter().map(Vec::len).max().unwrap_or_default();
-        top += HEIGHT + 22.0 + LINE * most as f64 + 24.0;
+        top += HEIGHT + 22.0 + LINE * count::to_f64(most) + 24.0;
     }
     Block { svg, height: top }
 }
@@ -52,15 +53,16 @@ fn draw_linkage(svg: &mut String, linkage: &Linkage, [left, top]: Point) {
         .chain(&linkage.pivots)
         .copied()
         .collect();
-    let bound = |axis: usize, of: fn(f64, f64) -> f64, start: f64| {
-        all.iter().map(|at| at[axis]).fold(start, of)
+    let bound = |of: fn(f64, f64) -> f64, start: f64| {
+        all.iter()
+            .fold([start; 2], |[x, y], [u, v]| [of(x, *u), of(y, *v)])
     };
-    let low = [0, 1].map(|axis| bound(axis, f64::min, f64::INFINITY));
-    let high = [0, 1].map(|axis| bound(axis, f64::max, f64::NEG_INFINITY));
-    let span = [0, 1].map(|axis: usize| (high[axis] - low[axis]).max(f64::MIN_POSITIVE));
+    let [x0, y0] = bound(f64::min, f64::INFINITY);
+    let [x1, y1] = bound(f64::max, f64::NEG_INFINITY);
+    let span = [x1 - x0, y1 - y0].map(|length| length.max(f64::MIN_POSITIVE));
     let inner = [WIDTH - 28.0, HEIGHT - 28.0];
     let scale = (inner[0] / span[0]).min(inner[1] / span[1]);
-    let middle = [0, 1].map(|axis: usize| (high[axis] + low[axis]) / 2.0);
+    let middle = [x1 + x0, y1 + y0].map(|sum| sum / 2.0);
     let place = |[x, y]: Point| {
         [
             left + WIDTH / 2.0 + (x - middle[0]) * scale,
@@ -157,7 +159,7 @@ fn draw_caption(svg: &mut String, lines: &[String], [left, top]: Point) {
         } else {
             (12, "#546e7a")
         };
-        let y = top + LINE * place as f64;
+        let y = top + LINE * count::to_f64(place);
         let _ = writeln!(
             svg,
             r#"<text x="{left:.1}" y="{y:.1}" font-size="{size}" fill="{colour}">{}</text>"#,

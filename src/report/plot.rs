@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::canvas::{Block, Point, escaped};
+use crate::number::count;
 
 /// A diagram: its title, what its axes are, and the points of its curve; gaps by NaN.
 pub struct Plot {
@@ -29,10 +30,10 @@ const WHOLE: f64 = TOP + HEIGHT + 56.0;
 pub fn block(plots: &[Plot]) -> Block {
     let mut svg = r#"<g font-size="13">"#.to_owned();
     for (place, plot) in plots.iter().enumerate() {
-        plot.draw(&mut svg, WHOLE * place as f64);
+        plot.draw(&mut svg, WHOLE * count::to_f64(place));
     }
     svg.push_str("</g>\n");
-    let height = WHOLE * plots.len() as f64 + 20.0;
+    let height = WHOLE * count::to_f64(plots.len()) + 20.0;
     Block { svg, height }
 }
 
@@ -71,7 +72,9 @@ fn label(tick: f64, span: f64) -> String {
     if span < 1e-3 {
         return format!("{tick:.1e}");
     }
-    let text = format!("{tick:.0$}", digits as usize);
+    #[expect(clippy::as_conversions, reason = "a whole number from 0 to 9")]
+    let digits = digits as usize;
+    let text = format!("{tick:.digits$}");
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {

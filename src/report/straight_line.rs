@@ -72,7 +72,7 @@ pub fn picture(answer: &Value) -> Option<String> {
     canvas.explain(Stroke::MainPath, "path of D");
     canvas.explain(Stroke::Guide, "the line that it keeps to");
     canvas.explain(Stroke::Crank, "cranks");
-    if let Some(order) = shown["contact"]["order"].as_u64() {
+    if let Some(order) = shown.pointer("/contact/order").and_then(Value::as_u64) {
         let points = order + 1;
         canvas.remark(&match order {
             0 => "D crosses the line in the design position".to_owned(),
@@ -152,11 +152,8 @@ impl Linkage {
             angles.push(to);
         }
         let gap = [[f64::NAN; 2]; 2];
-        let places: Vec<[Point; 2]> = angles
-            .iter()
-            .map(|&angle| at(angle).unwrap_or(gap))
-            .collect();
-        [0, 1].map(|side: usize| places.iter().map(|both| both[side]).collect())
+        let places = angles.into_iter().map(|angle| at(angle).unwrap_or(gap));
+        places.map(<(Point, Point)>::from).unzip().into()
     }
 }
 

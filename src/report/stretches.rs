@@ -62,17 +62,20 @@ fn part(stretch: &Value, points: &[[f64; 3]]) -> Option<Vec<Point>> {
     } else {
         way(first, last)
     };
-    let mut piece: Vec<Point> = (0..=length)
-        .map(|step| finite(&points[(first + step) % count]))
-        .collect();
+    let round = points.iter().cycle().skip(first);
+    let mut piece: Vec<Point> = round.take(length + 1).map(finite).collect();
     // The row only comes near the ends.
-    if let Some(end) = stretch.get("from").and_then(finite_point) {
-        let place = if first == from { 0 } else { length };
-        piece[place] = end;
+    let [start, end] = if first == from {
+        ["from", "to"]
+    } else {
+        ["to", "from"]
+    };
+    let given = |name: &str| stretch.get(name).and_then(finite_point);
+    if let (Some(place), Some(start)) = (piece.first_mut(), given(start)) {
+        *place = start;
     }
-    if let Some(end) = stretch.get("to").and_then(finite_point) {
-        let place = if first == from { length } else { 0 };
-        piece[place] = end;
+    if let (Some(place), Some(end)) = (piece.last_mut(), given(end)) {
+        *place = end;
     }
     Some(piece)
 }
@@ -87,8 +90,9 @@ fn nearest(point: &Value, points: &[[f64; 3]]) -> Option<usize> {
         Some([u, v]) => (x / w - u).hypot(y / w - v),
         None => w.abs() / x.hypot(*y),
     };
-    let order = |a: &usize, b: &usize| distance(&points[*a]).total_cmp(&distance(&points[*b]));
-    (0..points.len()).min_by(order)
+    let distances = points.iter().map(distance).enumerate();
+    let (place, _) = distances.min_by(|(_, one), (_, other)| one.total_cmp(other))?;
+    Some(place)
 }
 
 /// The region where centers are wished, by its corners.

@@ -220,8 +220,12 @@ impl Random {
     }
 
     fn prime(&mut self) -> u32 {
-        let place = self.below(PRIMES.len() as u32);
-        PRIMES.get(place as usize).copied().unwrap_or(101)
+        self.one_of(&PRIMES).unwrap_or(101)
+    }
+
+    fn one_of<T: Copy>(&mut self, list: &[T]) -> Option<T> {
+        let place = self.below(u32::try_from(list.len()).ok()?);
+        list.get(usize::try_from(place).ok()?).copied()
     }
 
     fn quotient(&mut self) -> Rational {
@@ -230,8 +234,7 @@ impl Random {
             denominator = self.prime();
         }
         // Sizes from a tenth to ten, so that long and short bars meet.
-        let scale = [(1, 3), (1, 1), (3, 1)];
-        let (up, down) = scale.get(self.below(3) as usize).copied().unwrap_or((1, 1));
+        let (up, down) = self.one_of(&[(1, 3), (1, 1), (3, 1)]).unwrap_or((1, 1));
         Rational::from((numerator * up, denominator * down))
     }
 

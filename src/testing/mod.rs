@@ -105,7 +105,10 @@ impl Expected {
         };
         let answer = solve(&problem, &request)?;
         let condition = condition(&problem, &answer);
-        let name = problem["problem"].as_str().unwrap_or_default();
+        let name = problem
+            .get("problem")
+            .and_then(Value::as_str)
+            .unwrap_or_default();
         let reference = Reference::read(name, &answer, &condition)?;
         Ok(Expected {
             condition: condition.as_f64(),
@@ -150,7 +153,8 @@ impl Expected {
     /// The real Burmester pairs of five positions that have both points at finite places, rounded to
     /// doubles; of another problem none.
     pub fn pairs(&self) -> Vec<Pair> {
-        let pairs = self.answer["pairs"].as_array().into_iter().flatten();
+        let pairs = self.answer.get("pairs").and_then(Value::as_array);
+        let pairs = pairs.into_iter().flatten();
         pairs
             .filter_map(|pair| {
                 Some(Pair {

@@ -11,19 +11,13 @@ pub fn report(run: &Run<'_>) -> Value {
     let kinds: Vec<Value> = tallies(&run.cases)
         .iter()
         .map(|tally| {
-            let mut sums = sums(tally);
-            sums["corpus"] = json!(tally.corpus);
-            sums["kind"] = json!(tally.kind);
-            sums
+            let sums = with(sums(tally), "corpus", &tally.corpus);
+            with(sums, "kind", &tally.kind)
         })
         .collect();
     let by_corpus: Vec<Value> = by_corpus(&run.cases)
         .iter()
-        .map(|tally| {
-            let mut sums = sums(tally);
-            sums["corpus"] = json!(tally.corpus);
-            sums
-        })
+        .map(|tally| with(sums(tally), "corpus", &tally.corpus))
         .collect();
     let worst: Vec<Value> = run
         .worst()
@@ -68,7 +62,7 @@ fn problem(case: &Case) -> Value {
         Outcome::Skipped(reason) => ("skipped", Some(reason)),
         Outcome::Lost(reason) => ("lost", Some(reason)),
     };
-    let mut value = json!({
+    let value = json!({
         "corpus": case.corpus,
         "id": case.id,
         "kind": case.kind,
@@ -80,8 +74,16 @@ fn problem(case: &Case) -> Value {
         "digits": case.digits().first(),
         "seconds": case.seconds,
     });
-    if let Some(reason) = reason {
-        value["reason"] = json!(reason);
+    match reason {
+        Some(reason) => with(value, "reason", reason),
+        None => value,
     }
-    value
+}
+
+/// The object with one more field.
+fn with(mut object: Value, name: &str, value: &str) -> Value {
+    if let Value::Object(fields) = &mut object {
+        fields.insert(name.to_owned(), value.into());
+    }
+    object
 }

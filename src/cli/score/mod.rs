@@ -217,7 +217,8 @@ struct Progress {
 
 impl Progress {
     fn of(total: usize) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
+        let total = u64::try_from(total).unwrap_or(u64::MAX);
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
         // A template that cannot be read leaves the bar in its standard form.
         if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} problems, {eta} left")
         {

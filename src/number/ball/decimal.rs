@@ -5,6 +5,7 @@ use std::fmt;
 use rug::{Integer, Rational};
 
 use super::Ball;
+use crate::number::count;
 use crate::number::text::{decimal_text, leading_digits, power_of_ten};
 
 /// Digits that [`Display`](fmt::Display) shows at most.
@@ -52,7 +53,7 @@ fn rounded_value(mid: &Rational, radius: &Rational, digits: usize) -> (Integer, 
     if mid.cmp0().is_eq() || mid.cmp_abs(radius).is_lt() {
         return zero;
     }
-    let mut allowed = digits as i64;
+    let mut allowed = count::to_i64(digits);
     if !radius.cmp0().is_eq() {
         // One digit beyond the two that the radius shows.
         let meaningful = leading_digits(mid, 1).1 - leading_digits(radius, 1).1 + 3;

@@ -77,7 +77,7 @@ impl Radius {
     pub fn below_integer(i: i64) -> Radius {
         normalized(i.unsigned_abs()).map_or(Radius::ZERO, |(bits, exponent)| Radius {
             exponent,
-            mantissa: (bits >> 32) as u32,
+            mantissa: upper_half(bits),
         })
     }
 
@@ -188,7 +188,7 @@ impl Radius {
         }
         Radius {
             exponent: self.exponent - i64::from(shift),
-            mantissa: (difference << shift >> 32) as u32,
+            mantissa: upper_half(difference << shift),
         }
     }
 
@@ -255,15 +255,13 @@ impl Radius {
     /// A mantissa from 2³¹ to 2³³, rounded up to 32 bits.
     #[inline]
     fn raised(mantissa: u64, exponent: i64) -> Radius {
-        if mantissa >> 32 == 0 {
-            return Radius::limited(mantissa as u32, exponent);
+        if let Ok(mantissa) = u32::try_from(mantissa) {
+            return Radius::limited(mantissa, exponent);
         }
         // At most 2³³; half of it, rounded up, may be 2³² once more.
-        let half = mantissa.div_ceil(2);
-        if half >> 32 == 0 {
-            Radius::limited(half as u32, exponent + 1)
-        } else {
-            Radius::limited(TOP_BIT, exponent + 2)
+        match u32::try_from(mantissa.div_ceil(2)) {
+            Ok(half) => Radius::limited(half, exponent + 1),
+            Err(_) => Radius::limited(TOP_BIT, exponent + 2),
         }
     }
 
@@ -289,6 +287,14 @@ struct Leading {
     more: bool,
 }
 
+#[inline]
+fn upper_half(bits: u64) -> u32 {
+    #[expect(clippy::as_conversions, reason = "what is left has 32 bits")]
+    {
+        (bits >> 32) as u32
+    }
+}
+
 /// `None` unless `x` is finite and not 0.
 #[inline]
 fn leading_bits(x: &Float) -> Option<Leading> {
@@ -297,7 +303,7 @@ fn leading_bits(x: &Float) -> Option<Leading> {
     let (top, rest) = significand.as_limbs().split_last()?;
     // MPFR keeps the top bit of the top limb set.
     let surplus = limb_t::BITS - 32;
-    let mantissa = (top >> surplus) as u32;
+    let mantissa = u32::try_from(top >> surplus).ok()?;
     let lost = top ^ (limb_t::from(mantissa) << surplus);
     Some(Leading {
         exponent,

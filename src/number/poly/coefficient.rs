@@ -124,8 +124,13 @@ impl Coefficient {
     /// The remainder in `0..modulus`.
     pub fn modulo(&self, modulus: u64) -> u64 {
         match self {
-            // A remainder modulo a u64 fits u64.
-            Small(i) => i128::from(*i).rem_euclid(i128::from(modulus)) as u64,
+            Small(i) => {
+                let remainder = i128::from(*i).rem_euclid(i128::from(modulus));
+                #[expect(clippy::as_conversions, reason = "a remainder modulo a u64 fits u64")]
+                {
+                    remainder as u64
+                }
+            }
             Big(z) => z.mod_u64(modulus),
         }
     }

@@ -59,11 +59,13 @@ impl Value {
         let (a, b) = (&self.denominator.content, &other.denominator.content);
         let common = a.gcd(b);
         let (to_a, to_b) = (b.divide_exactly(&common)?, a.divide_exactly(&common)?);
-        let lacking = |which: usize| {
-            move |multiplicity: [u32; 2]| multiplicity[0].max(multiplicity[1]) - multiplicity[which]
-        };
-        let left = multiplied(&self.numerator.scaled(&to_a), &shared, lacking(0))?;
-        let right = multiplied(&other.numerator.scaled(&to_b), &shared, lacking(1))?;
+        // Each numerator by what its denominator lacks.
+        let left = multiplied(&self.numerator.scaled(&to_a), &shared, |[own, other]| {
+            other.saturating_sub(own)
+        })?;
+        let right = multiplied(&other.numerator.scaled(&to_b), &shared, |[other, own]| {
+            other.saturating_sub(own)
+        })?;
         let content = a.mul(&to_a);
         let denominator = Denominator::from_shared(content, shared, |[a, b]| a.max(b));
         Some(Value::new(sign(&left, &right)?, denominator))

@@ -16,9 +16,11 @@ const GUARDS: u64 = 0x8080_8080_8080_8080;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) struct Monomial([u64; WORDS]);
 
-/// Where the byte of a variable lies; the last variables fill the first word.
-fn place(variable: usize) -> (usize, usize) {
-    (WORDS - 1 - variable / 8, 8 * (variable % 8))
+/// Where the byte of a variable lies; the last variables fill the first word. `None` for one that no
+/// ring can have.
+fn place(variable: usize) -> Option<(usize, usize)> {
+    let word = (WORDS - 1).checked_sub(variable / 8)?;
+    Some((word, 8 * (variable % 8)))
 }
 
 impl Monomial {
@@ -26,34 +28,39 @@ impl Monomial {
 
     /// `variable^exponent`; `None` for an exponent that cannot be stored.
     pub fn power(variable: usize, exponent: u8) -> Option<Self> {
-        if variable >= MAX_VARIABLES || exponent > MAX_EXPONENT {
+        if exponent > MAX_EXPONENT {
             return None;
         }
         let mut words = [0; WORDS];
-        let (word, shift) = place(variable);
-        words[word] = u64::from(exponent) << shift;
+        let (word, shift) = place(variable)?;
+        *words.get_mut(word)? = u64::from(exponent) << shift;
         Some(Monomial(words))
     }
 
     /// The exponent of a variable; 0 for one that no ring can have.
     pub fn exponent(&self, variable: usize) -> u8 {
-        if variable >= MAX_VARIABLES {
-            return 0;
-        }
-        let (word, shift) = place(variable);
-        (self.0[word] >> shift) as u8
+        let byte = |(word, shift): (usize, usize)| -> Option<u8> {
+            let [byte, ..] = (self.0.get(word)? >> shift).to_le_bytes();
+            Some(byte)
+        };
+        place(variable).and_then(byte).unwrap_or(0)
     }
 
     /// This with every power of a variable taken out.
     pub fn without(&self, variable: usize) -> Self {
         let mut result = *self;
-        if variable < MAX_VARIABLES {
-            let (word, shift) = place(variable);
-            result.0[word] &= !(0xff << shift);
+        if let Some((word, shift)) = place(variable)
+            && let Some(word) = result.0.get_mut(word)
+        {
+            *word &= !(0xff << shift);
         }
         result
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there is a word in both for every one of the result"
+    )]
     fn zip(&self, other: &Self, combine: impl Fn(u64, u64) -> u64) -> Self {
         Monomial(std::array::from_fn(|i| combine(self.0[i], other.0[i])))
     }
@@ -82,6 +89,10 @@ impl Monomial {
             .then(|| Monomial(difference.0.map(|word| word & !GUARDS)))
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there is a byte in both for every one of the result"
+    )]
     fn bytewise(&self, other: &Self, choose: impl Fn(u8, u8) -> u8) -> Self {
         self.zip(other, |a, b| {
             let (a, b) = (a.to_le_bytes(), b.to_le_bytes());

@@ -307,7 +307,8 @@ fn replace_square(terms: Vec<Term>, variable: usize, square: &[Term]) -> Option<
         let left = monomial
             .without(variable)
             .times(&Monomial::power(variable, exponent % 2)?)?;
-        groups[usize::from(exponent / 2)].push((left, coefficient));
+        let group = groups.get_mut(usize::from(exponent / 2))?;
+        group.push((left, coefficient));
     }
     let mut result = Vec::new();
     for group in groups.into_iter().rev() {

@@ -13,6 +13,7 @@ use rug::ops::Pow;
 
 use super::coefficient::Coefficient;
 use super::monomial::Monomial;
+use crate::number::count;
 
 pub(super) type Term = (Monomial, Coefficient);
 
@@ -36,29 +37,28 @@ const MAX_SORTED: usize = 1 << 23;
 /// The sum `a + sign·b`.
 fn merge(a: &[Term], b: &[Term], sign: impl Fn(&Coefficient) -> Coefficient) -> Option<Vec<Term>> {
     let mut sum = Vec::with_capacity(a.len() + b.len());
-    let (mut i, mut j) = (0, 0);
-    while i < a.len() && j < b.len() {
-        match a[i].0.cmp(&b[j].0) {
+    let (mut a, mut b) = (a, b);
+    while let ([left, after_left @ ..], [right, after_right @ ..]) = (a, b) {
+        match left.0.cmp(&right.0) {
             Ordering::Greater => {
-                sum.push(a[i].clone());
-                i += 1;
+                sum.push(left.clone());
+                a = after_left;
             }
             Ordering::Less => {
-                sum.push((b[j].0, sign(&b[j].1)));
-                j += 1;
+                sum.push((right.0, sign(&right.1)));
+                b = after_right;
             }
             Ordering::Equal => {
-                let coefficient = a[i].1.add(&sign(&b[j].1));
+                let coefficient = left.1.add(&sign(&right.1));
                 if !coefficient.is_zero() {
-                    sum.push((a[i].0, coefficient));
+                    sum.push((left.0, coefficient));
                 }
-                i += 1;
-                j += 1;
+                (a, b) = (after_left, after_right);
             }
         }
     }
-    sum.extend_from_slice(&a[i..]);
-    sum.extend(b[j..].iter().map(|(monomial, c)| (*monomial, sign(c))));
+    sum.extend_from_slice(a);
+    sum.extend(b.iter().map(|(monomial, c)| (*monomial, sign(c))));
     (sum.len() <= MAX_TERMS).then_some(sum)
 }
 
@@ -225,7 +225,7 @@ impl Numbering {
 
     /// Whether a table of all monomials is in proportion to the number of products.
     fn is_dense(&self, products: usize) -> bool {
-        self.size <= MAX_TABLE && self.size <= TABLE_TO_PRODUCTS * products as u64
+        self.size <= MAX_TABLE && self.size <= TABLE_TO_PRODUCTS * count::to_u64(products)
     }
 
     fn key(&self, monomial: &Monomial) -> u64 {
@@ -238,10 +238,15 @@ impl Numbering {
     /// The key as an index into a table.
     fn index(&self, monomial: &Monomial) -> usize {
         // Tables have at most `MAX_TABLE` entries.
-        self.key(monomial) as usize
+        count::from_u64(self.key(monomial))
     }
 
     /// Sorts the products by the sum of their keys, with the places of their factors.
+    #[expect(
+        clippy::as_conversions,
+        clippy::indexing_slicing,
+        reason = "the places of the factors are kept in few bits, for their sort is what takes time"
+    )]
     fn multiply_by_keys(&self, a: &[Term], b: &[Term]) -> Option<Vec<Term>> {
         let keys =
             |terms: &[Term]| -> Vec<u64> { terms.iter().map(|(m, _)| self.key(m)).collect() };
@@ -269,9 +274,12 @@ impl Numbering {
     fn monomial(&self, index: usize) -> Monomial {
         let mut monomial = Monomial::ONE;
         for &(variable, stride, bound) in &self.places {
-            let exponent = (index as u64 / stride) % (u64::from(bound) + 1);
+            let exponent = (count::to_u64(index) / stride) % (u64::from(bound) + 1);
             // At most `bound`, which is an exponent.
-            if let Some(power) = Monomial::power(variable, exponent as u8) {
+            let power = u8::try_from(exponent)
+                .ok()
+                .and_then(|exponent| Monomial::power(variable, exponent));
+            if let Some(power) = power {
                 monomial = monomial.times_unchecked(&power);
             }
         }
@@ -296,8 +304,12 @@ impl Numbering {
         words.collect()
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the number of a product is the sum of the numbers of its factors, below the size"
+    )]
     fn multiply_words(&self, a: &[(usize, i64)], b: &[(usize, i64)]) -> Option<Vec<Term>> {
-        let mut sums = vec![0i128; self.size as usize];
+        let mut sums = vec![0i128; count::from_u64(self.size)];
         for &(i, c) in b {
             for &(j, d) in a {
                 sums[i + j] += i128::from(c) * i128::from(d);
@@ -306,8 +318,12 @@ impl Numbering {
         self.collect(sums.into_iter().map(Coefficient::from))
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the number of a product is the sum of the numbers of its factors, below the size"
+    )]
     fn multiply_coefficients(&self, a: &[Term], b: &[Term]) -> Option<Vec<Term>> {
-        let mut sums = vec![Coefficient::ZERO; self.size as usize];
+        let mut sums = vec![Coefficient::ZERO; count::from_u64(self.size)];
         let a: Vec<_> = a.iter().map(|(m, c)| (self.index(m), c)).collect();
         for (m, c) in b {
             let i = self.index(m);
@@ -350,6 +366,10 @@ fn fits(a: &[(usize, i64)], b: &[(usize, i64)]) -> bool {
 type Waiting = (Monomial, usize, usize);
 
 /// The quotient where it is a polynomial with integer coefficients.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "what waits holds places in the rest of the divisor and in the quotient"
+)]
 pub(super) fn divide(dividend: &[Term], divisor: &[Term]) -> Option<Vec<Term>> {
     let (lead, rest) = divisor.split_first()?;
     let Some(last) = dividend.last() else {
@@ -411,7 +431,7 @@ fn pop_equal(waiting: &mut BinaryHeap<Waiting>, monomial: &Monomial) -> Option<W
 
 /// The polynomial with positive leading coefficient whose square this is.
 pub(super) fn square_root(square: &[Term]) -> Option<Vec<Term>> {
-    let (Some(first), Some(last)) = (square.first(), square.last()) else {
+    let (Some((first, others)), Some(last)) = (square.split_first(), square.last()) else {
         return Some(Vec::new());
     };
     let lead: Term = (first.0.sqrt()?, first.1.sqrt()?);
@@ -427,18 +447,19 @@ pub(super) fn square_root(square: &[Term]) -> Option<Vec<Term>> {
     {
         return None;
     }
-    let mut remainder: BTreeMap<Monomial, Coefficient> = square[1..].iter().cloned().collect();
+    let mut remainder: BTreeMap<Monomial, Coefficient> = others.iter().cloned().collect();
+    let leading = lead.0;
     let twice_lead = lead.1.mul(&Coefficient::Small(2));
     let mut root = vec![lead];
     while let Some((monomial, coefficient)) = remainder.pop_last() {
-        let factor = monomial.divided_by(&root[0].0)?;
+        let factor = monomial.divided_by(&leading)?;
         bounds.divided_by(&factor)?;
         if factor < smallest || root.len() >= MAX_TERMS {
             return None;
         }
         let term = (factor, coefficient.divide_exactly(&twice_lead)?);
         // (root + term)² = root² + 2·root·term + term²; the leading product is already gone.
-        for (m, c) in &root[1..] {
+        for (m, c) in root.iter().skip(1) {
             let doubled = c.mul(&Coefficient::Small(2));
             subtract(
                 &mut remainder,
@@ -478,13 +499,17 @@ const POINT: [u8; super::monomial::MAX_VARIABLES] = [
     101, 103, 107, 109, 113, 127, 131, 137,
 ];
 
+fn point(variable: usize) -> u8 {
+    POINT.get(variable).copied().unwrap_or(1)
+}
+
 /// The value where every variable is a fixed integer moved by `shift`.
 pub(super) fn value_at_integers(a: &[Term], shift: u8) -> Integer {
     let mut sum = Integer::new();
     for (monomial, coefficient) in a {
         let mut value = coefficient.to_integer();
         for (variable, exponent) in monomial.powers() {
-            let base = u32::from(POINT[variable]) + u32::from(shift);
+            let base = u32::from(point(variable)) + u32::from(shift);
             value *= Integer::from(base).pow(u32::from(exponent));
         }
         sum += value;
@@ -494,12 +519,15 @@ pub(super) fn value_at_integers(a: &[Term], shift: u8) -> Integer {
 
 /// [`value_at_integers`] with shift 0, modulo a word that is not 0.
 pub(super) fn value_modulo(a: &[Term], modulus: u64) -> u64 {
+    #[expect(clippy::as_conversions, reason = "a remainder modulo a u64 fits u64")]
     let reduce = |product: u128| (product % u128::from(modulus)) as u64;
     let mut powers: Vec<(usize, Vec<u64>)> = Vec::new();
     for (variable, bound) in degrees(a).powers() {
-        let mut table = vec![1 % modulus];
-        for i in 0..usize::from(bound) {
-            table.push(reduce(u128::from(table[i]) * u128::from(POINT[variable])));
+        let mut power = 1 % modulus;
+        let mut table = vec![power];
+        for _ in 0..bound {
+            power = reduce(u128::from(power) * u128::from(point(variable)));
+            table.push(power);
         }
         powers.push((variable, table));
     }
@@ -507,8 +535,10 @@ pub(super) fn value_modulo(a: &[Term], modulus: u64) -> u64 {
         let mut value = coefficient.modulo(modulus);
         for (variable, table) in &powers {
             let exponent = usize::from(monomial.exponent(*variable));
-            if exponent > 0 {
-                value = reduce(u128::from(value) * u128::from(table[exponent]));
+            if exponent > 0
+                && let Some(power) = table.get(exponent)
+            {
+                value = reduce(u128::from(value) * u128::from(*power));
             }
         }
         reduce(u128::from(sum) + u128::from(value))

@@ -1,11 +1,14 @@
 //! Approximate roots by the method of Ehrlich and Aberth. Nothing here is certified: what it finds
 //! is a proposal that discs then prove.
 
+use std::f64::consts::TAU;
+
 use rug::Float;
 
 use super::floats;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
+use crate::number::{array, count};
 
 /// Rounds of one precision beside those that clusters need.
 const ROUNDS: u32 = 60;
@@ -48,6 +51,7 @@ impl Approximations {
     }
 
     /// Iterates with so many bits until no point gets better.
+    #[expect(clippy::indexing_slicing, reason = "there is a mark for every point")]
     pub fn improve(&mut self, p: &IntegerPolynomial, bits: u32) {
         let coefficients: Vec<Float> = p
             .coefficients()
@@ -74,6 +78,10 @@ impl Approximations {
     }
 
     /// One correction of one point; whether it is the last one.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the index is that of one of the points"
+    )]
     fn step(&mut self, coefficients: &[Float], index: usize, bits: u32) -> bool {
         let z = &self.points[index];
         let values = evaluate(coefficients, z, bits);
@@ -110,7 +118,7 @@ struct Values {
 impl Values {
     /// Whether the value may be nothing but rounding errors.
     fn is_noise(&self, length: usize, bits: u32) -> bool {
-        let errors = Float::with_val(32, &self.terms * (4 * length) as u64) >> bits;
+        let errors = Float::with_val(32, &self.terms * count::to_u64(4 * length)) >> bits;
         self.value.size() <= errors
     }
 }
@@ -140,13 +148,13 @@ fn evaluate(coefficients: &[Float], z: &Point, bits: u32) -> Values {
 pub(super) fn starting_points(sizes: &[Option<f64>]) -> Vec<(f64, f64)> {
     let corners = newton_polygon(sizes);
     let mut points = Vec::with_capacity(sizes.len());
-    for (ring, sides) in corners.windows(2).enumerate() {
-        let [(first, high), (last, low)] = [sides[0], sides[1]];
-        let count = last - first;
-        let log_radius = (high - low) / count as f64;
-        for j in 0..count {
-            let angle =
-                std::f64::consts::TAU * (j as f64 / count as f64) + 0.7 + 0.31 * ring as f64;
+    let sides = array::neighbours(&corners);
+    for (ring, ((first, high), (last, low))) in sides.enumerate() {
+        let number = count::to_f64(last - first);
+        let log_radius = (high - low) / number;
+        let turned = 0.31 * count::to_f64(ring);
+        for j in 0..last - first {
+            let angle = TAU * (count::to_f64(j) / number) + 0.7 + turned;
             points.push((log_radius, angle));
         }
     }
@@ -160,8 +168,9 @@ fn newton_polygon(sizes: &[Option<f64>]) -> Vec<(usize, f64)> {
         let Some(size) = size else { continue };
         let next = (power, *size);
         while let [.., a, b] = hull.as_slice() {
-            let slope =
-                |from: &(usize, f64), to: &(usize, f64)| (to.1 - from.1) / (to.0 - from.0) as f64;
+            let slope = |from: &(usize, f64), to: &(usize, f64)| {
+                (to.1 - from.1) / count::to_f64(to.0 - from.0)
+            };
             if slope(a, b) > slope(a, &next) {
                 break;
             }

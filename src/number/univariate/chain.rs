@@ -9,6 +9,7 @@ use rug::ops::{NegAssign, Pow};
 
 use super::integer::IntegerPolynomial;
 use super::modular;
+use crate::number::count;
 
 /// What the chain of two polynomials ends in.
 struct End {
@@ -81,6 +82,5 @@ fn next_height(g: &Integer, h: &Integer, drop: usize) -> Integer {
 }
 
 fn power(base: &Integer, exponent: usize) -> Integer {
-    // Degrees beyond 2³² do not fit into memory.
-    Integer::from(base.pow(exponent as u32))
+    Integer::from(base.pow(count::to_u32(exponent)))
 }

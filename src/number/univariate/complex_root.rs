@@ -9,6 +9,7 @@ use super::factor::{Factor, log2_above, log2_below};
 use super::point::Point;
 use super::polish;
 use super::proof::{FEW_BITS, half, root_within, sharpened};
+use crate::number::count;
 use crate::number::{Ball, Complex, Number, Real};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -46,7 +47,7 @@ impl Disc {
         );
         let step = factor.value(&z, bits) / factor.slope(&z, bits);
         let mut bound = largest(step.re())? + largest(step.im())?;
-        bound *= factor.degree() as u64;
+        bound *= count::to_u64(factor.degree());
         if !bound.is_zero() {
             bound = times_power_of_two(Rational::from(1), log2_above(&bound));
         }

@@ -10,6 +10,7 @@ use rug::{Integer, Rational};
 
 use super::integer::IntegerPolynomial;
 use super::sturm::variations;
+use crate::number::count;
 
 /// Numbers between two ends; one number where they are equal, else that is a closed interval with
 /// one simple root inside.
@@ -97,7 +98,7 @@ impl Piece {
         let degree = self.coefficients.len() - 1;
         let mut lower = self.coefficients;
         for (power, c) in lower.iter_mut().enumerate() {
-            *c <<= (degree - power) as u32;
+            *c <<= count::to_u32(degree - power);
         }
         drop_common_twos(&mut lower);
         let mut upper = lower.clone();
@@ -166,7 +167,7 @@ fn root_bound(p: &IntegerPolynomial) -> i64 {
 
 /// p(2^scale · x) up to a factor.
 fn stretched(p: &IntegerPolynomial, scale: i64) -> Vec<Integer> {
-    let degree = p.degree() as i64;
+    let degree = count::to_i64(p.degree());
     let mut coefficients = p.coefficients().to_vec();
     for (power, c) in (0i64..).zip(&mut coefficients) {
         let twos = if scale >= 0 {
@@ -174,7 +175,7 @@ fn stretched(p: &IntegerPolynomial, scale: i64) -> Vec<Integer> {
         } else {
             -scale * (degree - power)
         };
-        *c <<= twos as u32;
+        *c <<= u32::try_from(twos).unwrap_or(u32::MAX);
     }
     drop_common_twos(&mut coefficients);
     coefficients
@@ -243,6 +244,6 @@ fn leave_roots_at_ends(p: &IntegerPolynomial, interval: &mut Interval) {
 }
 
 pub(super) fn times_power_of_two(q: Rational, exponent: i64) -> Rational {
-    let bits = exponent.unsigned_abs() as u32;
+    let bits = u32::try_from(exponent.unsigned_abs()).unwrap_or(u32::MAX);
     if exponent >= 0 { q << bits } else { q >> bits }
 }

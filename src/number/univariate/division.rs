@@ -19,15 +19,14 @@ impl<K: Kind> Polynomial<K> {
     /// Quotient and remainder, the remainder of lower degree than the divisor. `None` unless the
     /// divisor's leading coefficient is surely not zero.
     pub fn divide(&self, divisor: &Self) -> Option<(Self, Self)> {
-        let leading = divisor.leading().filter(|c| c.is_zero().is_no())?;
-        let lower = &divisor.coefficients()[..divisor.coefficients().len() - 1];
+        let (leading, lower) = divisor.coefficients().split_last()?;
+        leading.is_zero().is_no().then_some(())?;
         let mut rest = self.coefficients().to_vec();
         let mut quotient = Vec::new();
         while rest.len() > lower.len() {
             let Some(highest) = rest.pop() else { break };
             let factor = highest / leading;
-            let start = rest.len() - lower.len();
-            for (place, coefficient) in rest[start..].iter_mut().zip(lower) {
+            for (place, coefficient) in rest.iter_mut().rev().zip(lower.iter().rev()) {
                 *place -= &factor * coefficient;
             }
             quotient.push(factor);
@@ -40,8 +39,7 @@ impl<K: Kind> Polynomial<K> {
     /// leading coefficient to the power m − n + 1 for degrees m ≥ n, and 1 for m < n. `None` for
     /// the zero divisor.
     pub fn pseudo_divide(&self, divisor: &Self) -> Option<PseudoQuotient<K>> {
-        let leading = divisor.leading()?;
-        let lower = &divisor.coefficients()[..divisor.coefficients().len() - 1];
+        let (leading, lower) = divisor.coefficients().split_last()?;
         let mut multiplier = Number::one();
         let mut rest = self.coefficients().to_vec();
         let mut quotient: Vec<Number<K>> = Vec::new();
@@ -50,8 +48,7 @@ impl<K: Kind> Polynomial<K> {
             for coefficient in rest.iter_mut().chain(&mut quotient) {
                 *coefficient *= leading;
             }
-            let start = rest.len() - lower.len();
-            for (place, coefficient) in rest[start..].iter_mut().zip(lower) {
+            for (place, coefficient) in rest.iter_mut().rev().zip(lower.iter().rev()) {
                 *place -= &factor * coefficient;
             }
             quotient.push(factor);

@@ -7,6 +7,7 @@ use super::aberth::Approximations;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::polish;
+use crate::number::count;
 use crate::number::{Ball, Complex, Exact, Number};
 
 /// Bits of the first proposals.
@@ -96,7 +97,7 @@ fn radius(
     };
     let size = |part: &Number<Ball>| Some(part.0.lower()?.abs().max(part.0.upper()?.abs()));
     let sum = size(step.re())? + size(step.im())?;
-    Some(sum * polynomial.degree()? as u64)
+    Some(sum * count::to_u64(polynomial.degree()?))
 }
 
 /// Whether the squares around the discs are disjoint.

@@ -6,6 +6,7 @@ use rug::Rational;
 
 use super::integer::IntegerPolynomial;
 use super::{Polynomial, SturmSequence, chain, square_free, sturm};
+use crate::number::count;
 use crate::number::{Exact, Number};
 
 /// Where a coefficient has no value, these have none either.
@@ -120,5 +121,5 @@ fn no_value() -> Number<Exact> {
 
 fn power(q: &Rational, n: usize) -> Rational {
     use rug::ops::Pow;
-    Rational::from(q.pow(n as u32))
+    Rational::from(q.pow(count::to_u32(n)))
 }

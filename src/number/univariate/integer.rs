@@ -156,11 +156,10 @@ impl IntegerPolynomial {
         let mut rest = self.0.clone();
         while rest.len() > lower.len() {
             let Some(factor) = rest.pop() else { break };
-            let start = rest.len() - lower.len();
             for c in &mut rest {
                 *c *= leading;
             }
-            for (place, c) in rest[start..].iter_mut().zip(lower) {
+            for (place, c) in rest.iter_mut().rev().zip(lower.iter().rev()) {
                 *place -= &factor * c;
             }
         }
@@ -177,8 +176,7 @@ impl IntegerPolynomial {
         while rest.len() > lower.len() {
             let Some(mut factor) = rest.pop() else { break };
             factor.div_exact_mut(leading);
-            let start = rest.len() - lower.len();
-            for (place, c) in rest[start..].iter_mut().zip(lower) {
+            for (place, c) in rest.iter_mut().rev().zip(lower.iter().rev()) {
                 *place -= &factor * c;
             }
             quotient.push(factor);

@@ -12,6 +12,7 @@ use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::real_root::RealRoot;
 use super::{Polynomial, RootError, chain, square_free};
+use crate::number::count;
 use crate::number::{Ball, Complex, Exact, Number};
 
 /// More bits than this are not tried to tell complex roots apart.
@@ -145,7 +146,7 @@ fn isolate_simple(factor: &Factor) -> Result<(Vec<Interval>, Vec<Disc>), RootErr
 
 /// Bits of the first proposals.
 fn first_bits(factor: &Factor) -> u32 {
-    64 + 2 * factor.degree() as u32
+    64 + 2 * count::to_u32(factor.degree())
 }
 
 /// Real and complex roots at once, where the points are good enough: as many discs as roots, disjoint,
@@ -170,7 +171,7 @@ fn proven_at_once(
         }
         all.push(disc);
     }
-    let reach = Rational::from(4 * factor.degree() as u64);
+    let reach = Rational::from(4 * count::to_u64(factor.degree()));
     let apart = all.iter().enumerate().all(|(place, a)| {
         let others = all.iter().skip(place + 1);
         others.into_iter().all(|b| {
@@ -225,7 +226,7 @@ fn proven_discs(factor: &Factor, couples: usize, points: &[Point], bits: u32) ->
 }
 
 fn are_far_apart(discs: &[Disc], degree: usize) -> bool {
-    let reach = Rational::from(4 * degree as u64);
+    let reach = Rational::from(4 * count::to_u64(degree));
     discs.iter().enumerate().all(|(index, disc)| {
         let reached = Rational::from(&disc.radius * &reach);
         let is_far =
@@ -263,6 +264,7 @@ fn separate_real(roots: &mut [RealRoot]) {
 }
 
 /// Narrows discs of different factors until the squares around them are disjoint.
+#[expect(clippy::indexing_slicing, reason = "there is a mark for every root")]
 fn separate_complex(roots: &mut [ComplexRoot]) {
     let mut bits = 16;
     loop {

@@ -43,6 +43,7 @@ pub(super) fn has_surely_no_rational_root(p: &IntegerPolynomial) -> bool {
     })
 }
 
+#[expect(clippy::as_conversions, reason = "the prime has 32 bits")]
 fn reduced(p: &IntegerPolynomial) -> Vec<u64> {
     p.coefficients()
         .iter()
@@ -59,8 +60,7 @@ fn remainder(mut rest: Vec<u64>, divisor: &[u64]) -> Vec<u64> {
     while rest.len() > lower.len() {
         let Some(highest) = rest.pop() else { break };
         let factor = PRIME - highest * inverse % PRIME;
-        let start = rest.len() - lower.len();
-        for (place, c) in rest[start..].iter_mut().zip(lower) {
+        for (place, c) in rest.iter_mut().rev().zip(lower.iter().rev()) {
             *place = (*place + factor * c % PRIME) % PRIME;
         }
     }

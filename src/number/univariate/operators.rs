@@ -28,8 +28,8 @@ fn product<K: Kind>(a: &Polynomial<K>, b: &Polynomial<K>) -> Polynomial<K> {
     };
     let mut coefficients = vec![Number::zero(); m + n + 1];
     for (i, left) in a.coefficients().iter().enumerate() {
-        for (j, right) in b.coefficients().iter().enumerate() {
-            coefficients[i + j] += left * right;
+        for (sum, right) in coefficients.iter_mut().skip(i).zip(b.coefficients()) {
+            *sum += left * right;
         }
     }
     Polynomial::new(coefficients)
@@ -60,7 +60,6 @@ macro_rules! operator {
     ($op:ident, $method:ident, $compute:ident, $left:ty, $right:ty) => {
         impl<K: Kind> $op<$right> for $left {
             type Output = Polynomial<K>;
-            #[allow(clippy::needless_borrow)]
             fn $method(self, other: $right) -> Polynomial<K> {
                 $compute(&self, &other)
             }

@@ -121,6 +121,7 @@ impl<K: Kind> Polynomial<K> {
     }
 
     /// p(x + by), by repeated Horner steps.
+    #[expect(clippy::indexing_slicing, reason = "every place has one above it")]
     pub fn shifted(&self, by: &Number<K>) -> Self {
         let mut coefficients = self.coefficients.clone();
         let length = coefficients.len();

@@ -8,6 +8,7 @@ use crate::number::{Ball, Exact, Number, Surd};
 
 /// The real roots of a polynomial that are rational or roots of a quadratic factor over ℚ, exactly;
 /// `None` for the others. The roots are some of those of the polynomial.
+#[expect(clippy::indexing_slicing, reason = "there is an entry for every root")]
 pub fn surds(polynomial: &Polynomial<Exact>, roots: &[&RealRoot]) -> Vec<Option<Number<Surd>>> {
     let mut list: Vec<Option<Number<Surd>>> = roots
         .iter()

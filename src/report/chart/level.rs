@@ -43,25 +43,22 @@ pub fn level_curves(values: &Values, step: u32, level: f64, jump: f64) -> Vec<Ve
 /// In the square with this lowest corner.
 fn pieces(values: &Values, [a, b]: [u32; 2], step: u32, level: f64, jump: f64) -> Vec<Piece> {
     let corners = [[a, b], [a, b + step], [a + step, b + step], [a + step, b]];
-    let known: Option<Vec<f64>> = corners.iter().map(|at| values.get(at).copied()).collect();
+    let known: Option<Vec<_>> = corners
+        .iter()
+        .map(|at| Some((*at, *values.get(at)?)))
+        .collect();
     let Some(known) = known else {
         return Vec::new();
     };
-    let sides = (0..4).map(|side| (side, (side + 1) % 4));
-    if sides
-        .clone()
-        .any(|(i, j)| (known[i] - known[j]).abs() > jump)
-    {
+    let sides = known.iter().zip(known.iter().cycle().skip(1));
+    if sides.clone().any(|((_, x), (_, y))| (x - y).abs() > jump) {
         return Vec::new();
     }
     let crossed: Vec<Edge> = sides
-        .filter(|(i, j)| (known[*i] < level) != (known[*j] < level))
-        .map(|(i, j)| [corners[i].min(corners[j]), corners[i].max(corners[j])])
+        .filter(|((_, x), (_, y))| (*x < level) != (*y < level))
+        .map(|((from, _), (to, _))| [*from.min(to), *from.max(to)])
         .collect();
-    crossed
-        .chunks_exact(2)
-        .map(|pair| [pair[0], pair[1]])
-        .collect()
+    crossed.as_chunks().0.to_vec()
 }
 
 /// A piece of a curve, from edge to edge.
@@ -91,11 +88,11 @@ fn crossing(values: &Values, [from, to]: &Edge, level: f64) -> Point {
     } else {
         (level - low) / (high - low)
     };
-    let between = |i: usize| {
-        let [x, y] = [from[i], to[i]].map(f64::from);
+    let between = |x: u32, y: u32| {
+        let [x, y] = [x, y].map(f64::from);
         x + share * (y - x)
     };
-    [between(0), between(1)]
+    [between(from[0], to[0]), between(from[1], to[1])]
 }
 
 #[cfg(test)]

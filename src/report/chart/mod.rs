@@ -11,6 +11,7 @@ use std::fmt::Write;
 use self::level::level_curves;
 use self::table::Table;
 use super::canvas::{Point, escaped};
+use crate::number::count;
 
 /// Pixels a degree.
 const SCALE: f64 = 7.0;
@@ -166,15 +167,15 @@ impl Page {
     }
 
     fn level(&mut self, level: f64, curves: &[Vec<Point>]) {
-        let tenths = (level * 10.0).round() as i64;
-        let is_main = tenths % 2 == 0;
+        let is_main = (level * 10.0).round() % 2.0 == 0.0;
         let width = if is_main { 2.0 } else { 1.0 };
         let look = format!(r##"stroke="#1565c0" stroke-width="{width}""##);
         for curve in curves {
             self.curve(curve, &look);
             if is_main && curve.len() > LABELLED {
-                let middle = curve[curve.len() / 2];
-                self.labels.push((middle, format!("{level:.1}")));
+                let middle = curve.get(curve.len() / 2);
+                self.labels
+                    .extend(middle.map(|middle| (*middle, format!("{level:.1}"))));
             }
         }
     }
@@ -226,7 +227,7 @@ impl Page {
             "longest link more than five times the shortest, or no linkage",
         ];
         for (row, (look, words)) in looks.iter().zip(words).enumerate() {
-            let y = top + 24.0 * row as f64;
+            let y = top + 24.0 * count::to_f64(row);
             self.line([[LEFT, y], [LEFT + 46.0, y]], look);
             self.text([LEFT + 60.0, y + 5.0], "start", 15, words);
         }

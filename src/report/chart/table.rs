@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use crate::number::array;
+
 /// Lengths are rounded to so much.
 const LEAST: f64 = 1e-4;
 
@@ -43,7 +45,8 @@ impl Table {
                 cells.get(place).copied()
             };
             let cell = |name: &str| word(name)?.parse::<f64>().ok();
-            let rays = [cell("alpha_a")? as u32, cell("alpha_b")? as u32];
+            let ray = |name: &str| word(name)?.parse::<u32>().ok();
+            let rays = [ray("alpha_a")?, ray("alpha_b")?];
             degrees.push(rays[1]);
             let has_crank = word("crank").is_some_and(|crank| crank != "none");
             let read = || Some((cell("L")?, [cell("Q")?, cell("R")?, cell("S")?, cell("T")?]));
@@ -56,7 +59,9 @@ impl Table {
         }
         degrees.sort_unstable();
         degrees.dedup();
-        let step = degrees.windows(2).map(|pair| pair[1] - pair[0]).min()?;
+        let step = array::neighbours(&degrees)
+            .map(|(here, next)| next - here)
+            .min()?;
         Some(Table { rows, none, step })
     }
 

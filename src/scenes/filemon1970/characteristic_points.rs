@@ -107,7 +107,9 @@ fn build_centers<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt
 /// The center of the circle through the four places but that of position i, which is another one
 /// as well.
 fn center<K: Real>(places: &[Point<K>; 4], i: usize) -> Point<K> {
-    let [p, q, r] = [1, 2, 3].map(|step| &places[(i - 1 + step) % 4]);
+    let mut round = places.each_ref();
+    round.rotate_left(i - 1);
+    let [_, p, q, r] = round;
     Circle::through(p, q, r).center()
 }
 

@@ -3,6 +3,7 @@
 use super::positions::{Positions, free_poles};
 use crate::finite::pole_four_bar::{Joints, PoleFourBar};
 use crate::formula::Bindings;
+use crate::number::array;
 use crate::number::{Number, Real};
 use crate::plane::projective::ProjectivePoint;
 use crate::plane::{Point, line};
@@ -89,8 +90,8 @@ impl<K: Real> Moved<K> {
         });
         let positions = Positions::of(poles, half_tangents);
         let four_bar = PoleFourBar::of(&positions.poles, &positions.mirror_poles, [2, 3, 4]);
-        let joints =
-            std::array::from_fn(|i| line::mirror(&four_bar.poles[i], &four_bar.frame[i], center));
+        let joints = array::pairs(&four_bar.poles, &four_bar.frame)
+            .map(|(pole, frame)| line::mirror(pole, frame, center));
         Ok(Moved {
             positions,
             four_bar,

@@ -2,6 +2,7 @@
 
 use crate::finite::pole_system::{OfPairs, PAIRS};
 use crate::formula::Bindings;
+use crate::number::array;
 use crate::number::{Number, Real};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Angle, Point};
@@ -30,7 +31,7 @@ impl<K: Real> Positions<K> {
     pub fn of(poles: [Point<K>; 3], half_tangents: [Number<K>; 3]) -> Self {
         let turns = half_tangents.each_ref().map(Angle::from_tan_half);
         let [first, second, third] =
-            std::array::from_fn(|i| Displacement::about(&poles[i], turns[i].cis()));
+            array::pairs(&poles, &turns).map(|(pole, turn)| Displacement::about(pole, turn.cis()));
         let displacements = [Displacement::identity(), first, second, third];
         Positions {
             poles: OfPairs::poles(&displacements),

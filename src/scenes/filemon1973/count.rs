@@ -1,6 +1,7 @@
 //! Numbers of tangents from points of the centerpoint curve.
 
 use crate::formula::Bindings;
+use crate::number::count;
 use crate::number::{Number, Real};
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
@@ -21,7 +22,7 @@ pub fn counted<K: Real>(pencil: &Pencil<K>) -> Result<Count, Unbuilt> {
 
 /// A count as a number.
 pub fn number<K: Real>(count: usize) -> Number<K> {
-    Number::from(count as i64)
+    Number::from(count::to_i64(count))
 }
 
 /// Binds a count.

@@ -60,19 +60,18 @@ fn run() -> Result<Report, Unbuilt> {
 /// The cubic touches the x-axis in the origin, and has no term x².
 fn inflexional_tangent_counts() -> Result<Truth, Unbuilt> {
     let mut free = Symbols::default();
-    let mut coefficients: [Number<Fraction>; 10] = std::array::from_fn(|_| Number::zero());
-    for (place, name) in [
-        (0, "xxx"),
-        (1, "xxy"),
-        (2, "xyy"),
-        (3, "yyy"),
-        (5, "xy"),
-        (6, "yy"),
-        (8, "y"),
-    ] {
-        coefficients[place] = free.number(name)?;
-    }
-    let curve = Cubic::new(coefficients);
+    let curve = Cubic::<Fraction>::new([
+        free.number("xxx")?,
+        free.number("xxy")?,
+        free.number("xyy")?,
+        free.number("yyy")?,
+        Number::zero(),
+        free.number("xy")?,
+        free.number("yy")?,
+        Number::zero(),
+        free.number("y")?,
+        Number::zero(),
+    ]);
     let pencil = Pencil::new(&curve, &Number::zero(), [Number::one(), Number::i()]);
     Ok(pencil.discriminant().evaluate(&Number::zero()).is_zero())
 }

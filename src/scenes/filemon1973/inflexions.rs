@@ -31,15 +31,16 @@ fn run() -> Result<Report, Unbuilt> {
     for quadrilateral in quadrilaterals() {
         let quadrilateral = quadrilateral?;
         let sides = Sides::of(&quadrilateral)?;
-        let kind = match sides.u.compare(&sides.z) {
-            Some(Ordering::Greater) => 0,
-            Some(Ordering::Less) => 1,
+        let [where_u_is_larger, where_z_is_larger] = &mut left;
+        let left_of_kind = match sides.u.compare(&sides.z) {
+            Some(Ordering::Greater) => where_u_is_larger,
+            Some(Ordering::Less) => where_z_is_larger,
             _ => continue,
         };
-        if left[kind] == 0 {
+        if *left_of_kind == 0 {
             continue;
         }
-        left[kind] -= 1;
+        *left_of_kind -= 1;
         let curve = turned(&quadrilateral)?;
         let inflexions = count_real(&curve);
         holds = holds & asymptote_meets_once(&curve) & Truth::from(inflexions == Some(3));

@@ -68,7 +68,9 @@ fn run() -> Result<Report, Unbuilt> {
 /// it goes inside.
 fn arcs_begin_in_poles(curve: &Cubic<Exact>, poles: &[Point<Exact>; 4]) -> Truth {
     Truth::all((0..4).map(|i| {
-        let [here, next, opposite, last] = [0, 1, 2, 3].map(|j| &poles[(i + j) % 4]);
+        let mut round = poles.each_ref();
+        round.rotate_left(i);
+        let [here, next, opposite, last] = round;
         let tangent = Number::i() * curve.gradient(here);
         let ratio = (next - here) * (last - here) * (tangent * (opposite - here)).conj();
         !curve.gradient(here).is_zero() & ratio.im().is_zero()

@@ -1,5 +1,6 @@
 //! Figure 9: two times two nearby sides of the pole quadrilateral have the same length.
 
+use super::count::bind_number;
 use super::count::counted;
 use super::quadrilateral::centerpoint_curve;
 use crate::formula::{Bindings, Value};
@@ -115,7 +116,7 @@ fn build_tangents<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuil
         ("I_1", count.imaginary),
         ("nodes", count.double),
     ] {
-        bindings.bind(name, Number::<K>::from(number as i64));
+        bind_number(&mut bindings, name, number);
     }
     for name in ["U", "Z"] {
         bindings.bind(name, &kite.c + &kite.h);

@@ -1,6 +1,7 @@
 //! The pole quadrilateral O₁₄O₁₂O₂₃O₃₄ of four positions and its sides.
 
 use crate::formula::Bindings;
+use crate::number::array;
 use crate::number::{Number, Real};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Point, relation};
@@ -49,14 +50,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         ("O_34", third.pole(fourth)),
         ("O_14", first.pole(fourth)),
     ];
-    let side = |i: usize, free: &mut dyn Free<K>, name: &str| {
-        let (a, b) = (&poles[i].1, &poles[(i + 1) % 4].1);
-        free.root(name, &relation::distance_squared(a, b))
-    };
-    let r = side(0, free, "r")?;
-    let h = side(1, free, "h")?;
-    let long = side(2, free, "R")?;
-    let c = side(3, free, "c")?;
+    let [r, h, long, c] =
+        array::sides(&poles).map(|((_, a), (_, b))| relation::distance_squared(a, b));
+    let r = free.root("r", &r)?;
+    let h = free.root("h", &h)?;
+    let long = free.root("R", &long)?;
+    let c = free.root("c", &c)?;
     Unbuilt::unless_real((&h - &c).is_positive(), "c is not the shorter one")?;
     Unbuilt::unless_real((&long - &r).is_positive(), "r is not the shorter one")?;
     let total = &r + &h + &long + &c;

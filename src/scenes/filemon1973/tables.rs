@@ -165,6 +165,10 @@ fn tangents() -> Result<Cells, Unbuilt> {
     })
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "all of these places are 0 or 1, in arrays of two"
+)]
 fn cells_of_tangents(found: &[Observed], [first, second]: [usize; 2]) -> Vec<Cell> {
     use Ordering::{Equal, Greater, Less};
     const ROWS: [(&str, usize, Ordering); 6] = [

@@ -40,23 +40,26 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     for pole in quadrilateral.poles() {
         of_poles.push(tangents_from(&curve, &pole)?);
     }
+    let [of_12, of_23, of_34, of_14] = of_poles.as_slice() else {
+        return Err(Unbuilt::Contradiction("not four poles".to_owned()));
+    };
     let facing_the_longest = if sides.longest == 1 { from_o1 } else { from_o2 };
     let mut bindings = Bindings::new(free.precision());
     for (name, count) in [
         ("N_1", from_o1.real),
         ("I_2", from_o2.imaginary),
-        ("N_12", of_poles[0].real),
-        ("I_34", of_poles[2].imaginary),
-        ("N_14", of_poles[3].real),
-        ("I_23", of_poles[1].imaginary),
+        ("N_12", of_12.real),
+        ("I_34", of_34.imaginary),
+        ("N_14", of_14.real),
+        ("I_23", of_23.imaginary),
         ("N_max", facing_the_longest.real),
         ("adjacent", sides.are_adjacent().into()),
     ] {
         bind_number(&mut bindings, name, count);
     }
-    let ends = [sides.shortest, (sides.shortest + 1) % 4];
-    let ends = ends.map(|end| Value::Number(number(of_poles[end].real)));
-    bindings.bind("N_s", Value::Set(ends.into()));
+    let ends = of_poles.iter().cycle().skip(sides.shortest).take(2);
+    let ends = ends.map(|end| Value::Number(number(end.real)));
+    bindings.bind("N_s", Value::Set(ends.collect()));
     bindings.bind("U", sides.u);
     bindings.bind("Z", sides.z);
     Ok(bindings)

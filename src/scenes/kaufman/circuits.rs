@@ -111,11 +111,14 @@ fn flat_triangles<K: Real>([first, second, third, fourth]: &[Point<K>; 4]) -> Qu
 
 /// In position 1.
 fn circlepoint_curve<K: Real>(positions: &[Displacement<K>; 4]) -> Result<Cubic<K>, Unbuilt> {
-    let image_pole = |i: usize, j: usize| {
-        let pole = positions[i].pole(&positions[j]);
-        positions[i].inverse().of(&pole)
-    };
-    let vertices = [(0, 2), (1, 2), (1, 3), (0, 3)].map(|(i, j)| image_pole(i, j));
+    let [first, second, third, fourth] = positions;
+    let opposite = [
+        (first, third),
+        (second, third),
+        (second, fourth),
+        (first, fourth),
+    ];
+    let vertices = opposite.map(|(one, other)| one.inverse().of(&one.pole(other)));
     Cubic::focal(&vertices).ok_or_else(|| Unbuilt::NotHeld("the circlepoint curve".to_owned()))
 }
 

@@ -54,6 +54,10 @@ fn run() -> Result<Report, Unbuilt> {
     })
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "columns of three entries, for three positions beside the first"
+)]
 fn minor<K: Kind>(a: &[Point<K>], b: &[Point<K>], j: usize, k: usize) -> Point<K> {
     &a[j] * &b[k] - &a[k] * &b[j]
 }
@@ -63,7 +67,10 @@ fn minor<K: Kind>(a: &[Point<K>], b: &[Point<K>], j: usize, k: usize) -> Point<K
 fn residual_is_determinant(turns: &[P], cranks: &[P], shifts: &[P]) -> Truth {
     let first = minor(turns, cranks, 0, 1);
     let (z, w) = (minor(shifts, cranks, 0, 1), minor(turns, shifts, 0, 1));
-    let residual = &first * &shifts[2] - &turns[2] * z - &cranks[2] * w;
+    let ([_, _, u], [_, _, g], [_, _, delta]) = (turns, cranks, shifts) else {
+        return Truth::Unknown;
+    };
+    let residual = &first * delta - u * z - g * w;
     residual.equals(&determinant(turns, cranks, shifts)) & !first.is_zero()
 }
 
@@ -83,9 +90,13 @@ fn determinant(a: &[P], b: &[P], c: &[P]) -> P {
 }
 
 /// The determinant with plus for every minus.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "columns of three entries, for three positions beside the first"
+)]
 fn permanent(a: &[P], b: &[P], c: &[P]) -> P {
     (0..3)
-        .map(|i| {
+        .map(|i: usize| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             &b[i] * (&a[j] * &c[k] + &a[k] * &c[j])
         })

@@ -86,6 +86,10 @@ fn im_of_ratio([a, b, c, d]: [P; 4]) -> Number<Fraction> {
 
 /// Whether the places Tⱼ of the origin are on a circle exactly where it sees opposite sides under equal
 /// angles. `corners` are two opposite corners over the two others.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the orders and the corners are places among the four positions"
+)]
 fn for_all_quadrilaterals(
     positions: &[Position; 4],
     pole: impl Fn(&Position, &Position) -> P,

@@ -2,6 +2,7 @@
 
 use crate::formula::Bindings;
 use crate::number::Real;
+use crate::number::array;
 use crate::plane::displacement::Displacement;
 use crate::scenes::free::point;
 use crate::scenes::scene::scene;
@@ -47,10 +48,10 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let w = u * &shares[1] - v * &shares[0];
     let circlepoint = &start - &z;
     let center = &circlepoint - &w;
-    let [second, third] = [0, 1].map(|j| {
-        let rotation = turns[j].cis();
+    let [second, third] = array::pairs(&turns, &shifts).map(|(turn, shift)| {
+        let rotation = turn.cis();
         Displacement {
-            translation: &start + &shifts[j] - &rotation * &start,
+            translation: &start + shift - &rotation * &start,
             rotation,
         }
         .of(&circlepoint)

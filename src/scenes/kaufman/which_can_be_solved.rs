@@ -35,7 +35,10 @@ fn run_equations() -> Result<Report, Unbuilt> {
 
 fn run_unknowns() -> Result<Report, Unbuilt> {
     let all = matrix(&EQUATIONS_IN_THREE_UNKNOWNS, &[0, 1, 2]);
-    let left: Matrix = all.iter().map(|row| row[..3].to_vec()).collect();
+    let left: Matrix = all
+        .iter()
+        .map(|row| row.iter().take(3).cloned().collect())
+        .collect();
     let ranks = rank(&left, 3) == Some(2) && rank(&all, 4) == Some(2);
     // A number for an unknown moves its column to the right side.
     let given = |unknown: usize, value: i64| {
@@ -95,7 +98,8 @@ type Matrix = Vec<Vec<Number<Exact>>>;
 fn matrix<const N: usize>(rows: &[[i64; N]], chosen: &[usize]) -> Matrix {
     chosen
         .iter()
-        .map(|row| rows[*row].map(Number::from).to_vec())
+        .filter_map(|row| rows.get(*row))
+        .map(|row| row.map(Number::from).to_vec())
         .collect()
 }
 

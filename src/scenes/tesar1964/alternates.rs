@@ -6,6 +6,7 @@ use crate::curvature::closure;
 use crate::curvature::contact::Guide;
 use crate::curvature::motion::Motion;
 use crate::number::{Exact, Number, Truth};
+use crate::number::{array, count};
 use crate::plane::{Angle, Point};
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::Random;
@@ -39,9 +40,6 @@ fn ray_of_tangent(tan: Number<Exact>) -> Point<Exact> {
     Number::complex(Number::one(), tan)
 }
 
-/// The six choices of two of four.
-const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];
-
 fn run_six() -> Result<Report, Unbuilt> {
     let (mut five, mut six) = (Truth::Yes, Truth::No);
     for seed in 0..INSTANCES {
@@ -53,7 +51,7 @@ fn run_six() -> Result<Report, Unbuilt> {
         holds: five,
         wrong_variant: six,
         basis: Basis::Instances,
-        instances: INSTANCES as usize,
+        instances: count::from_u64(INSTANCES),
         exception: None,
     })
 }
@@ -66,9 +64,10 @@ fn six_motions(random: &mut Random) -> Result<[Motion<Exact>; 6], Unbuilt> {
     let fourth = ray_of_tangent(fourth_tangent(&invariants, [a, b, c]));
     let guides = [a, b, c, &fourth].map(|ray| pair_on_ray(&invariants, ray).guide());
     let mut motions = Vec::new();
-    for [i, j] in PAIRS {
-        let cranks = [guides[i].clone(), guides[j].clone()];
-        motions.extend(closure::motion(&cranks, 5));
+    for (place, one) in guides.iter().enumerate() {
+        for other in guides.iter().skip(place + 1) {
+            motions.extend(closure::motion(&[one.clone(), other.clone()], 5));
+        }
     }
     motions
         .try_into()
@@ -124,7 +123,7 @@ fn run_nine() -> Result<Report, Unbuilt> {
         holds,
         wrong_variant: wrong,
         basis: Basis::Instances,
-        instances: INSTANCES as usize,
+        instances: count::from_u64(INSTANCES),
         exception: None,
     })
 }
@@ -186,10 +185,11 @@ impl FourBar {
 
     /// Whether five infinitesimally separated positions of the point are on a line.
     fn draws_line(&self, normal: &Point<Exact>) -> Truth {
-        let [first, second] = [0, 1].map(|i| Guide::Circle {
-            point: self.pins[i].clone(),
-            center: self.pivots[i].clone(),
-        });
+        let [first, second] =
+            array::pairs(&self.pins, &self.pivots).map(|(pin, pivot)| Guide::Circle {
+                point: pin.clone(),
+                center: pivot.clone(),
+            });
         let Some(motion) = closure::motion(&[first, second], 4) else {
             return Truth::Unknown;
         };
@@ -202,10 +202,10 @@ impl FourBar {
     }
 
     fn equals(&self, other: &FourBar) -> Truth {
-        let same = |i: usize| {
-            self.pivots[i].equals(&other.pivots[i]) & self.pins[i].equals(&other.pins[i])
-        };
-        same(0) & same(1)
+        let pivots = array::pairs(&self.pivots, &other.pivots);
+        let pins = array::pairs(&self.pins, &other.pins);
+        let both = pivots.into_iter().chain(pins);
+        Truth::all(both.map(|(one, other)| one.equals(other)))
     }
 }
 

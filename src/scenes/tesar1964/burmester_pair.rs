@@ -169,6 +169,9 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         bindings.bind(name, coefficient * &factor);
     }
     let places: Vec<Point<K>> = pair.positions.iter().map(|d| d.of(&pair.point)).collect();
+    let third = places
+        .get(3)
+        .ok_or_else(|| Unbuilt::Contradiction("no position 3".to_owned()))?;
     for (j, place) in places.iter().enumerate() {
         bindings.bind(&format!("X_{j}"), place.re().clone());
         bindings.bind(&format!("Y_{j}"), place.im().clone());
@@ -176,14 +179,15 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     for (names, point) in [
         (["x_o", "y_o"], &pair.point),
         (["x_c", "y_c"], &pair.center),
-        (["x", "y"], &places[3]),
+        (["x", "y"], third),
     ] {
         bindings.bind(names[0], point.re().clone());
         bindings.bind(names[1], point.im().clone());
     }
     let coordinates = pair.coordinates(&factor);
-    for i in [1, 2, 5, 6] {
-        bindings.bind(&format!("C_{i}"), &coordinates[i] / &coordinates[0]);
+    let [z0, z1, z2, _, _, z5, z6] = &coordinates;
+    for (name, coordinate) in [("C_1", z1), ("C_2", z2), ("C_5", z5), ("C_6", z6)] {
+        bindings.bind(name, coordinate / z0);
     }
     for (i, coordinate) in coordinates.into_iter().enumerate() {
         bindings.bind(&format!("Z_{i}"), coordinate);

@@ -1,6 +1,7 @@
 //! Chapter VI: a four-bar drawn beside pole tangent and pole normal.
 
 use crate::formula::Bindings;
+use crate::number::count;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::free::point;
@@ -118,5 +119,5 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
 }
 
 fn mean<K: Real, const COUNT: usize>(lengths: [Number<K>; COUNT]) -> Number<K> {
-    lengths.into_iter().sum::<Number<K>>() / COUNT as i64
+    lengths.into_iter().sum::<Number<K>>() / count::to_i64(COUNT)
 }

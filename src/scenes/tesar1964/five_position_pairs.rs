@@ -2,6 +2,7 @@
 
 use crate::finite::five_positions::conics::{Isolated, Pairs, pairs};
 use crate::finite::five_positions::krawczyk::holds_one_pair;
+use crate::number::count;
 use crate::number::{Ball, Exact, Number, Truth};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -74,7 +75,7 @@ fn run_four() -> Result<Report, Unbuilt> {
         holds: holds & Truth::from(every_number),
         wrong_variant: Truth::from(numbers.iter().all(|&number| number == 4)),
         basis: Basis::Instances,
-        instances: INSTANCES as usize,
+        instances: count::from_u64(INSTANCES),
         exception: None,
     })
 }
@@ -119,7 +120,7 @@ fn run_six() -> Result<Report, Unbuilt> {
         holds: holds & Truth::from(instances > 0),
         wrong_variant: wrong,
         basis: Basis::Instances,
-        instances: instances as usize,
+        instances: count::from_u64(instances),
         exception: None,
     })
 }

@@ -115,7 +115,7 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     }
     // ½|t|²h + Re(t̄rz) − Re(t̄M) − Re((r − 1)w) = 0 with z, w, −M by the coordinates of the pair.
     let mut square = Vec::new();
-    let mut right = Vec::new();
+    let mut right = [const { Vec::new() }; 3];
     for position in pair.positions.iter().skip(1) {
         let (r, t) = (&position.rotation, &position.translation);
         let mixed = t.conj() * r;
@@ -125,14 +125,17 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
             t.re().clone(),
             t.im().clone(),
         ]);
-        right.push([t.norm() / -2, mixed.re().clone(), -mixed.im()]);
+        let entries = [t.norm() / -2, mixed.re().clone(), -mixed.im()];
+        for (column, entry) in right.iter_mut().zip(entries) {
+            column.push(entry);
+        }
     }
     bind_minors(&square, &mut bindings);
     let whole = linear::determinant(&square);
     let mut parts = Vec::new();
-    for (which, name) in ["A", "B", "C"].into_iter().enumerate() {
-        let rows: Vec<Vec<Number<K>>> = (square.iter().zip(&right))
-            .map(|(row, right)| row.iter().chain([&right[which]]).cloned().collect())
+    for (column, name) in right.iter().zip(["A", "B", "C"]) {
+        let rows: Vec<Vec<Number<K>>> = (square.iter().zip(column))
+            .map(|(row, right)| row.iter().chain([right]).cloned().collect())
             .collect();
         let part: Vec<Number<K>> = solution(&rows)?.iter().map(|x| x * &whole).collect();
         for (i, value) in part.iter().enumerate() {
@@ -146,6 +149,10 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
 
 /// With Z₀ = 1, Z₁ = u, Z₂ = v, Z₃ to Z₆ linear in u and v: Z₃ − uZ₅ − vZ₆ and Z₄ − vZ₅ + uZ₆, by their
 /// values.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "three parts of Z₃ to Z₆ each, and no other Z is asked for"
+)]
 fn bind_conics<K: Real>(parts: &[Vec<Number<K>>], whole: &Number<K>, bindings: &mut Bindings<K>) {
     let z = |i: usize, u: i64, v: i64| {
         (&parts[0][i - 3] + &parts[1][i - 3] * u + &parts[2][i - 3] * v) / whole

@@ -61,7 +61,7 @@ pub const SCENE: Scene = scene!(
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let mut bindings = Bindings::new(free.precision());
     let mut square = Vec::new();
-    let mut right = Vec::new();
+    let mut right = [const { Vec::new() }; 2];
     for j in 1..=4 {
         let phi = free.angle(&format!("phi_{j}"))?;
         let a = free.number(&format!("a_{j}"))?;
@@ -73,25 +73,28 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
             1 - r.re(),
             r.im().clone(),
         ]);
-        right.push([a.square() / -2, -&a]);
+        for (column, entry) in right.iter_mut().zip([a.square() / -2, -&a]) {
+            column.push(entry);
+        }
         bindings.bind(&format!("phi_{j}"), phi);
         bindings.bind(&format!("a_{j}"), a);
     }
     bind_minors(&square, &mut bindings);
     let whole = linear::determinant(&square);
     let (z0, z5) = (free.number("Z_0")?, free.number("Z_5")?);
-    let mut z = vec![Number::zero(); 4];
-    for (which, (name, factor)) in [("M", &z0), ("N", &z5)].into_iter().enumerate() {
-        let rows: Vec<Vec<Number<K>>> = (square.iter().zip(&right))
-            .map(|(row, right)| row.iter().chain([&right[which]]).cloned().collect())
+    let mut z: [Number<K>; 4] = std::array::from_fn(|_| Number::zero());
+    for (column, (name, factor)) in right.iter().zip([("M", &z0), ("N", &z5)]) {
+        let rows: Vec<Vec<Number<K>>> = (square.iter().zip(column))
+            .map(|(row, right)| row.iter().chain([right]).cloned().collect())
             .collect();
-        for (i, part) in solution(&rows)?.into_iter().enumerate() {
-            z[i] += factor * &part;
+        for (i, (z, part)) in z.iter_mut().zip(solution(&rows)?).enumerate() {
+            *z += factor * &part;
             bindings.bind(&format!("{name}_{}", i + 1), part * &whole);
         }
     }
-    let z6 = (&z0 * &z[2] - &z[0] * &z5) / &z[1];
-    let excess = (&z0 * &z[3] - &z[1] * &z5 + &z[0] * &z6) / z0.square();
+    let [z1, z2, z3, z4] = &z;
+    let z6 = (&z0 * z3 - z1 * &z5) / z2;
+    let excess = (&z0 * z4 - z2 * &z5 + z1 * &z6) / z0.square();
     for (i, value) in z.into_iter().enumerate() {
         bindings.bind(&format!("Z_{}", i + 1), value);
     }

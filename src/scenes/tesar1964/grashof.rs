@@ -78,6 +78,15 @@ impl<K: Real> Links<K> {
         Ok(links)
     }
 
+    /// The link in one of the places 0 to 3.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "all places in this file are below 4"
+    )]
+    pub(super) fn at(&self, place: usize) -> &Number<K> {
+        &self.0[place]
+    }
+
     /// The pair of the larger sum first, the longer link of each first.
     pub(super) fn in_order(&self) -> Option<[usize; 4]> {
         let [q, r, s, t] = &self.0;
@@ -104,9 +113,9 @@ impl<K: Real> Links<K> {
             bindings.bind(name, Number::<K>::from(count.ok_or_else(untold)?));
         }
         let shortest = self.shortest().ok_or_else(untold)?;
-        bindings.bind("m", self.0[shortest].clone());
+        bindings.bind("m", self.at(shortest).clone());
         for (name, place) in ["a", "b", "c", "d"].into_iter().zip(named) {
-            bindings.bind(name, self.0[place].clone());
+            bindings.bind(name, self.at(place).clone());
         }
         self.bind(&mut bindings)?;
         Ok(bindings)
@@ -137,12 +146,12 @@ impl<K: Real> Links<K> {
     /// Whether two links turn fully against each other: in a closed chain all pairs are alike, so they
     /// take the place of coupler and base.
     fn turn_fully(&self, pair: [usize; 2]) -> Truth {
-        let [c, d] = pair.map(|place| self.0[place].clone());
+        let [c, d] = pair.map(|place| self.at(place).clone());
         let mut others = (0..4).filter(|place| !pair.contains(place));
         let mut other = || {
             others
                 .next()
-                .map_or_else(Number::zero, |place| self.0[place].clone())
+                .map_or_else(Number::zero, |place| self.at(place).clone())
         };
         FourBar {
             a: other(),
@@ -156,7 +165,7 @@ impl<K: Real> Links<K> {
     fn shortest(&self) -> Option<usize> {
         let mut shortest = 0;
         for place in 1..4 {
-            if self.0[place].compare(&self.0[shortest])?.is_lt() {
+            if self.at(place).compare(self.at(shortest))?.is_lt() {
                 shortest = place;
             }
         }
@@ -193,12 +202,20 @@ pub(super) fn untold() -> Unbuilt {
     Unbuilt::NotHeld("whether links turn fully".to_owned())
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "an exchange holds the places 0 to 3"
+)]
+fn exchanged(named: [usize; 4], exchange: [usize; 4]) -> [usize; 4] {
+    exchange.map(|place| named[place])
+}
+
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     let links = Links::of(free)?;
     let mut named = [0, 2, 1, 3];
     for (what, exchange) in EXCHANGES {
         if sense(free, what)?.is_positive().is_no() {
-            named = exchange.map(|place| named[place]);
+            named = exchanged(named, exchange);
         }
     }
     links.named(free, named)

@@ -27,7 +27,7 @@ fn run() -> Result<Report, Unbuilt> {
             continue;
         }
         let in_order = links.in_order().ok_or_else(untold)?;
-        let [a, b, c, d] = in_order.map(|place| &links.0[place]);
+        let [a, b, c, d] = in_order.map(|place| links.at(place));
         if (a + b - c - d).is_positive().is_yes() {
             instances += 1;
             holds = holds & follow(&links, &(a - b), &(c - d)).ok_or_else(untold)?;

@@ -33,12 +33,12 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
         free.number("N_2")?,
         free.number("N_4")?,
     ];
-    let mut roots = Vec::new();
-    for name in ["a", "b", "c"] {
-        roots.push(free.number(&format!("root {name}"))?);
-    }
+    let [a, b, c] = &[
+        free.number("root a")?,
+        free.number("root b")?,
+        free.number("root c")?,
+    ];
     let (z5, z0) = (free.number("z_5")?, free.number("z_0")?);
-    let [a, b, c] = [&roots[0], &roots[1], &roots[2]];
     // (N₁² + N₂²)(t − a)(t − b)(t − c), term by term.
     let leading = n1.square() + n2.square();
     let n3 = (2 * (&m1 * &n1 + &m2 * &n2) - &n2 * &n4 + &leading * (a + b + c)) / &n1;

@@ -1,5 +1,6 @@
 //! Chapter III: what is said of points of the moving plane with several places on a line.
 
+use crate::number::count;
 use crate::number::poly::Fraction;
 use crate::number::{Exact, Kind, Number, Real, Truth, linear};
 use crate::plane::circle::Circle;
@@ -120,7 +121,7 @@ fn run_one_point() -> Result<Report, Unbuilt> {
         holds,
         wrong_variant: wrong,
         basis: Basis::Instances,
-        instances: INSTANCES as usize,
+        instances: count::from_u64(INSTANCES),
         exception: None,
     })
 }

@@ -109,6 +109,10 @@ fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
     Ok(bindings)
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "k % 3 is a place among the three positions"
+)]
 fn bind_coefficients<K: Real>(k: usize, positions: &[Displacement<K>], bindings: &mut Bindings<K>) {
     let [own, next, last] = [k, k + 1, k + 2].map(|k| &positions[k % 3]);
     let at = |x: i64, y: i64| -> Point<K> { Number::complex(x.into(), y.into()) };

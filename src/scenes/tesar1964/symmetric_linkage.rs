@@ -6,6 +6,7 @@ use crate::curvature::contact::Guide;
 use crate::curvature::motion::coefficient;
 use crate::formula::Bindings;
 use crate::linkage::cognates::CouplerPoint;
+use crate::number::array;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::free::point;
@@ -100,9 +101,9 @@ fn moves_along_x<K: Real>(
     pins: &[Point<K>; 2],
     output: &Point<K>,
 ) -> Result<(), Unbuilt> {
-    let guides = [0, 1].map(|i| Guide::Circle {
-        point: pins[i].clone(),
-        center: pivots[i].clone(),
+    let guides = array::pairs(pins, pivots).map(|(pin, pivot)| Guide::Circle {
+        point: pin.clone(),
+        center: pivot.clone(),
     });
     let motion = closure::motion(&guides, 1)
         .ok_or_else(|| Unbuilt::NotReal("the linkage is in a change point".to_owned()))?;

@@ -5,6 +5,7 @@ use crate::curvature::closure;
 use crate::curvature::contact::Guide;
 use crate::curvature::motion::{Motion, coefficient, derivative};
 use crate::formula::Bindings;
+use crate::number::array;
 use crate::number::{Number, Real};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::scene::scene;
@@ -116,9 +117,9 @@ fn translating<K: Real>(
     pivots: &[Point<K>; 2],
     pins: &[Point<K>; 2],
 ) -> Result<Motion<K>, Unbuilt> {
-    let guides = [0, 1].map(|i| Guide::Circle {
-        point: pins[i].clone(),
-        center: pivots[i].clone(),
+    let guides = array::pairs(pins, pivots).map(|(pin, pivot)| Guide::Circle {
+        point: pin.clone(),
+        center: pivot.clone(),
     });
     closure::motion(&guides, 2)
         .ok_or_else(|| Unbuilt::NotReal("the linkage is in a change point".to_owned()))

@@ -1,5 +1,6 @@
 //! The focal curve is the locus of the foci of the inscribed conics.
 
+use crate::number::array;
 use crate::number::poly::Fraction;
 use crate::number::{Number, Truth};
 use crate::plane::{Angle, Point, line, quadrilateral, relation};
@@ -32,14 +33,13 @@ fn run() -> Result<Report, Unbuilt> {
 fn focus_is_on_the_curve() -> Result<Truth, Unbuilt> {
     let mut free = Symbols::default();
     let radius = free.length("radius")?;
-    let mut images = Vec::new();
-    for name in ["t1", "t2", "t3", "t4"] {
+    let mut image = |name: &str| -> Result<Point<Fraction>, Unbuilt> {
         let direction = Angle::from_tan_half(&free.number(name)?);
-        images.push(direction.direction().scaled(&radius) + Number::one());
-    }
+        Ok(direction.direction().scaled(&radius) + Number::one())
+    };
+    let images = [image("t1")?, image("t2")?, image("t3")?, image("t4")?];
     // The tangents are the perpendicular bisectors of the focus and its images.
-    let corners: [Point<Fraction>; 4] =
-        std::array::from_fn(|i| circumcenter_with_origin(&images[i], &images[(i + 1) % 4]));
+    let corners = array::sides(&images).map(|(g, h)| circumcenter_with_origin(g, h));
     let curve = quadrilateral::focal_curve(&corners);
     Ok(curve.at(&Number::zero()).is_zero() & curve.at(&Number::one()).is_zero())
 }

@@ -80,6 +80,10 @@ fn close(positions: &[Directions; 2]) -> (Lengths<Exact>, Number<Exact>) {
 
 /// Solves four linear equations, each given with its right-hand side, by elimination; no value where
 /// they are dependent.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "four rows of five entries, and each column takes one of the rows away"
+)]
 fn solve(mut rows: Vec<[Number<Exact>; 5]>) -> [Number<Exact>; 4] {
     let mut done: Vec<[Number<Exact>; 5]> = Vec::new();
     for column in 0..4 {

@@ -1,6 +1,7 @@
 //! The derivatives of the deviation over the travel.
 
 use super::drawn::{alternates, undecided};
+use crate::number::count;
 use crate::number::{Exact, Kind, Number, Real, Truth};
 use crate::plane::Angle;
 use crate::scenes::check::{Basis, Check, Report};
@@ -47,7 +48,7 @@ fn has_inflection<K: Kind>([second, third, fourth, fifth]: &[Number<K>; 4]) -> T
 fn run_fourth_order() -> Result<Report, Unbuilt> {
     let (mut holds, mut wrong, mut instances) = (Truth::Yes, Truth::No, 0);
     let mut seed = 0;
-    while instances < INSTANCES as usize && seed < 100 * INSTANCES {
+    while instances < count::from_u64(INSTANCES) && seed < 100 * INSTANCES {
         let mut random = Random::new(seed);
         seed += 1;
         let mut ray = || -> Result<Angle<Exact>, Unbuilt> { random.angle("a ray") };

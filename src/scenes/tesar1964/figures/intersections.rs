@@ -6,6 +6,7 @@ use rug::Rational;
 
 use super::drawn::{BITS, evans, undecided};
 use crate::linkage::cognates::CouplerPoint;
+use crate::number::array;
 use crate::number::zeros::zeros;
 use crate::number::{Ball, Kind, Number, Series, Truth};
 use crate::plane::{Point, relation};
@@ -34,15 +35,14 @@ struct Closure<K> {
 fn closure<K: Kind>(design: &Design<K>, u: &Number<K>) -> Closure<K> {
     let linkage = &design.linkage;
     let d = &linkage.point + design.direction.scaled(u);
-    let equation = |i: usize| {
-        let (pivot, pin) = (&linkage.pivots[i], &linkage.pins[i]);
+    let equation = |(pivot, pin): (&Point<K>, &Point<K>)| {
         let (from_pivot, arm) = (&d - pivot, pin - &linkage.point);
         let product = from_pivot.conj() * &arm;
         let rest = (pin - pivot).norm() - from_pivot.norm() - arm.norm();
         // 2 (c Re − s Im) of the product is the rest, for w = c + is.
         [2 * product.re(), -2 * product.im(), rest]
     };
-    let ([a, b, e], [c, d, f]) = (equation(0), equation(1));
+    let [[a, b, e], [c, d, f]] = array::pairs(&linkage.pivots, &linkage.pins).map(equation);
     Closure {
         turn: Number::complex(&e * &d - &b * &f, &a * &f - &e * &c),
         weight: a * d - b * c,

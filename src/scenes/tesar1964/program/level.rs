@@ -56,10 +56,10 @@ fn accuracies<K: Elementary>() -> [Number<K>; 3] {
 /// Up to the accuracy that is asked for.
 fn levels<K: Elementary>(free: &mut dyn Free<K>) -> Result<Vec<Number<K>>, Unbuilt> {
     let level = free.number("level")?;
-    let count = (1..=3_usize).find(|i| level.equals(&Number::from(*i as i64)).is_yes());
+    let count = (1_u8..=3).find(|i| level.equals(&Number::from(i64::from(*i))).is_yes());
     let count =
         count.ok_or_else(|| Unbuilt::Unfit("level".to_owned(), "is not 1, 2 or 3".to_owned()))?;
-    Ok(accuracies().into_iter().take(count).collect())
+    Ok(accuracies().into_iter().take(count.into()).collect())
 }
 
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
