@@ -42,10 +42,12 @@ impl<K: Kind> Canonical<K> {
         if order < 4 || !motion.rotation.equals(&by_angle).is_yes() {
             return None;
         }
-        let shift = |n: usize| coefficient(&motion.translation, n) * [1, 1, 2, 6, 24][n];
-        let pole = Number::i() * shift(1);
+        let shift = |n: usize, factorial: i64| coefficient(&motion.translation, n) * factorial;
+        let pole = Number::i() * shift(1, 1);
         // e^{iθ} turns the pole about the origin, which adds iⁿ times it.
-        let [second, third, fourth] = [2, 3, 4].map(|n| shift(n) + pole_turned(&pole, n));
+        let second = shift(2, 2) - &pole;
+        let third = shift(3, 6) - Number::i() * &pole;
+        let fourth = shift(4, 24) + &pole;
         let unit = Number::i() / &second;
         Some(Canonical {
             pole,
@@ -71,11 +73,6 @@ impl<K: Kind> Canonical<K> {
     pub fn coordinates(&self, point: &Point<K>) -> Point<K> {
         Number::i() * (point - &self.pole) / &self.diameter
     }
-}
-
-/// iⁿ times the pole.
-fn pole_turned<K: Kind>(pole: &Point<K>, n: usize) -> Point<K> {
-    Point::<K>::i().power(n as i32) * pole
 }
 
 impl<K: Kind> Invariants<K> {

@@ -15,6 +15,10 @@ const ANGLE: usize = 0;
 /// The motion that keeps to two guides, to terms in tⁿ. The angle drives where it can; then t is the
 /// angle. Else the linkage starts with a translation, and x or y drives. `None` where no coordinate
 /// is known to drive: in a change point, and where the guides are one and the same.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "there are three coordinates, and terms up to the order"
+)]
 pub fn motion<K: Kind>(guides: &[Guide<K>; 2], order: usize) -> Option<Motion<K>> {
     let [g, h] = guides.each_ref().map(Guide::gradient);
     let minor = |i: usize, j: usize| &g[i] * &h[j] - &g[j] * &h[i];

@@ -78,6 +78,7 @@ impl Conditions for Groups<Ball> {
         });
         let gradients = self.0.iter().map(|motion| gradient(motion, &z, &m));
         let columns = terms(self, gradients);
+        #[expect(clippy::indexing_slicing, reason = "four rows of four columns")]
         std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row].clone()))
     }
 }

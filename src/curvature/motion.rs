@@ -1,5 +1,6 @@
 //! A motion near one of its positions.
 
+use crate::number::count;
 use crate::number::{Kind, Number, Series};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -36,7 +37,7 @@ pub fn derivative<K: Kind>(path: &Path<K>) -> Path<K> {
 /// e^{iφ} for a series φ without constant term.
 pub fn turn<K: Kind>(angle: &Number<Series<K>>) -> Path<K> {
     let step: Path<K> = Number::i() * Path::from(angle.clone());
-    let order = angle.order().unwrap_or(0) as i64;
+    let order = count::to_i64(angle.order().unwrap_or(0));
     // Horner: 1 + iφ (1 + iφ/2 (1 + iφ/3 (…))).
     let inner = |sum: Path<K>, n: i64| 1 + &step * sum / n;
     (1..=order).rev().fold(Number::one(), inner)
@@ -46,8 +47,8 @@ pub fn turn<K: Kind>(angle: &Number<Series<K>>) -> Path<K> {
 /// parameter.
 pub fn turning<K: Kind>(derivatives: &[Point<K>], order: usize) -> Motion<K> {
     let mut factorial = 1;
-    let terms = derivatives.iter().enumerate().map(|(place, derivative)| {
-        factorial *= place as i64 + 1;
+    let terms = derivatives.iter().zip(1_i64..).map(|(derivative, n)| {
+        factorial *= n;
         derivative / factorial
     });
     let coefficients: Vec<Point<K>> = std::iter::once(Number::zero()).chain(terms).collect();

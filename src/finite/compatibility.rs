@@ -52,6 +52,10 @@ impl<K: Kind> LoopClosure<K> {
     }
 
     /// |e^{iφⱼ} − 1, c; e^{iφₖ} − 1, d| with the parts c and d of a second column.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the places of two of three equations"
+    )]
     fn minor(&self, second: &[Point<K>; 3], j: usize, k: usize) -> Point<K> {
         &self.columns[j] * &second[k] - &self.columns[k] * &second[j]
     }
@@ -72,6 +76,10 @@ impl<K: Kind> LoopClosure<K> {
 
     /// The dyad whose crank turns by γ₂, γ₃, γ₄, from two of the equations; no value where any two of
     /// them are dependent, as for γⱼ = 0 and for γⱼ = φⱼ.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the places of two of three equations"
+    )]
     pub fn dyad(&self, cranks: &[Point<K>; 3]) -> Dyad<K> {
         let cranks = cranks.each_ref().map(|crank| crank - 1);
         let pairs = [(0, 1), (0, 2), (1, 2)];

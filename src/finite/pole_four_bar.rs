@@ -8,6 +8,7 @@
 
 use super::pole_system::OfPairs;
 use crate::linkage::four_bar::third_corners;
+use crate::number::array;
 use crate::number::{Kind, Real};
 use crate::plane::displacement::Displacement;
 use crate::plane::projective::ProjectivePoint;
@@ -84,10 +85,8 @@ impl<K: Kind> PoleFourBar<K> {
     }
 
     fn mirrored(&self, joints: &Joints<K>, direction: &Point<K>) -> Joints<K> {
-        std::array::from_fn(|i| {
-            let pivot = &self.frame[i];
-            line::mirror(&joints[i], pivot, &(pivot + direction))
-        })
+        array::pairs(joints, &self.frame)
+            .map(|(joint, pivot)| line::mirror(joint, pivot, &(pivot + direction)))
     }
 }
 

@@ -19,6 +19,10 @@ impl<K: Kind> OfPairs<K> {
 
     /// The poles O_ij: where a point of the moving plane lies in both positions. No value where
     /// these differ by a translation only.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "positions are numbered from 1 to 4"
+    )]
     pub fn poles(positions: &[Displacement<K>; 4]) -> Self {
         Self::from_fn(|[i, j]| positions[i - 1].pole(&positions[j - 1]))
     }
@@ -26,6 +30,10 @@ impl<K: Kind> OfPairs<K> {
     /// The mirror poles O¹_ij: where the point of the moving plane that positions i and j carry to
     /// O_ij is in position 1. O¹_1j is O_1j, and O¹_jk the mirror image of O_jk in the line
     /// O_1j O_1k.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "positions are numbered from 1 to 4"
+    )]
     pub fn mirror_poles(positions: &[Displacement<K>; 4]) -> Self {
         Self::from_fn(|[i, j]| {
             let pole = positions[i - 1].pole(&positions[j - 1]);
@@ -44,6 +52,7 @@ impl<K: Kind> OfPairs<K> {
     }
 
     /// The point of positions i ≠ j, numbers from 1 to 4.
+    #[expect(clippy::indexing_slicing, reason = "the place of one of the six pairs")]
     pub fn of(&self, i: usize, j: usize) -> &Point<K> {
         let place = PAIRS.iter().position(|pair| *pair == [i.min(j), i.max(j)]);
         &self.0[place.unwrap_or_default()]

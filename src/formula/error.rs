@@ -25,15 +25,15 @@ impl ReadError {
     pub fn render(&self, text: &str) -> String {
         let start = boundary_before(text, self.span.start);
         let end = boundary_before(text, self.span.end).max(start);
-        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
-        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
-        let number = text[..line_start].matches('\n').count() + 1;
-        let column = width(&text[line_start..start]);
-        let carets = width(&text[start..end.min(line_end).max(start)]).max(1);
+        let (before, after) = text.split_at(start);
+        let number = before.matches('\n').count() + 1;
+        let before = before.rsplit('\n').next().unwrap_or_default();
+        let after = after.split('\n').next().unwrap_or_default();
+        let column = width(before);
+        let carets = width(after.get(..end - start).unwrap_or(after)).max(1);
         let margin = format!("{number} | ");
         format!(
-            "{margin}{}\n{}{}\n{}",
-            &text[line_start..line_end],
+            "{margin}{before}{after}\n{}{}\n{}",
             " ".repeat(margin.len() + column),
             "^".repeat(carets),
             self.message

@@ -43,9 +43,11 @@ impl Token {
 
 /// A message must stay readable whatever stands in the text.
 fn shortened(text: &str) -> String {
-    match text.char_indices().nth(40) {
-        Some((at, _)) => format!("{}…", &text[..at]),
-        None => text.to_string(),
+    let start: String = text.chars().take(40).collect();
+    if start.len() < text.len() {
+        format!("{start}…")
+    } else {
+        start
     }
 }
 
@@ -168,7 +170,7 @@ struct Lexer<'a> {
 
 impl Lexer<'_> {
     fn rest(&self) -> &str {
-        &self.text[self.at..]
+        self.text.get(self.at..).unwrap_or_default()
     }
 
     fn peek(&self) -> Option<char> {
@@ -268,7 +270,8 @@ impl Lexer<'_> {
         if self.peek() == Some('.') {
             return Err(self.error("a number has one decimal point", self.at));
         }
-        Ok(Token::Number(self.text[start..self.at].to_string()))
+        let number = self.text.get(start..self.at).unwrap_or_default();
+        Ok(Token::Number(number.to_string()))
     }
 
     /// `e-7`; an `e` without digits is the symbol `e` and stays where it is.
@@ -285,9 +288,9 @@ impl Lexer<'_> {
             self.at = before;
             return Ok(());
         }
-        let exponent = self.text[before + 1..self.at].parse::<i64>();
+        let exponent = self.text.get(before + 1..self.at).map(str::parse::<i64>);
         match exponent {
-            Ok(exponent) if exponent.abs() <= EXPONENT_LIMIT => Ok(()),
+            Some(Ok(exponent)) if exponent.abs() <= EXPONENT_LIMIT => Ok(()),
             // What does not fit in 64 bits is beyond the limit too.
             _ => Err(self.error(
                 format!("a power of ten beyond {EXPONENT_LIMIT} is not read"),

@@ -9,6 +9,7 @@ use super::function::Function;
 use super::reader::exact_value;
 use super::running;
 use super::tree::{Connective, Formula, Node, Operator, Relation, Span, Tree};
+use crate::number::array;
 
 /// A formula that differs from another in one place.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +44,10 @@ enum Root {
 }
 
 impl Root {
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "a root is a place in its own formula"
+    )]
     fn of(self, formula: &Formula) -> &Tree {
         match self {
             Root::Claim(at) => &formula.claims[at],
@@ -50,6 +55,10 @@ impl Root {
         }
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "a root is a place in its own formula"
+    )]
     fn of_mut(self, formula: &mut Formula) -> &mut Tree {
         match self {
             Root::Claim(at) => &mut formula.claims[at],
@@ -113,8 +122,11 @@ impl<'a> Maker<'a> {
             Root::Claim(_) => self.formula.definitions.len(),
             Root::Definition(at) => at,
         };
-        let later: Vec<&str> = self.formula.definitions[defined..]
+        let later: Vec<&str> = self
+            .formula
+            .definitions
             .iter()
+            .skip(defined)
             .map(|(name, _)| name.as_str())
             .collect();
         for tree in self.formula.claims.iter().chain(
@@ -262,6 +274,10 @@ impl<'a> Maker<'a> {
         }
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the rest is a copy of the one that is run through"
+    )]
     fn change_chain(
         &self,
         first: &Tree,
@@ -643,16 +659,13 @@ fn exchanged_functions(function: Function) -> &'static [Function] {
 }
 
 fn change_ratio(parts: &[Tree], changes: &mut Vec<(Node, String)>) {
-    for first in 0..parts.len() {
-        for second in first + 1..parts.len() {
+    for (first, one) in parts.iter().enumerate() {
+        for (second, other) in parts.iter().enumerate().skip(first + 1) {
             let mut swapped = parts.to_vec();
             swapped.swap(first, second);
             changes.push((
                 Node::Ratio(swapped),
-                format!(
-                    "`{}` and `{}` exchanged in the ratio",
-                    parts[first], parts[second]
-                ),
+                format!("`{one}` and `{other}` exchanged in the ratio"),
             ));
         }
     }
@@ -664,7 +677,7 @@ fn swapped_symbols(side: &Tree) -> Vec<(Tree, String)> {
     free_symbols(side, &mut Vec::new(), &mut symbols);
     let mut swapped = Vec::new();
     for (at, first) in symbols.iter().enumerate() {
-        for second in &symbols[at + 1..] {
+        for second in symbols.iter().skip(at + 1) {
             let mut side_after = side.clone();
             swap(&mut side_after, first, second);
             swapped.push((
@@ -832,7 +845,7 @@ fn add_factors(tree: &Tree, below: bool, negative: &mut bool, factors: &mut BTre
 }
 
 fn normal_chain(first: &Tree, rest: &[(Relation, Tree)], modulus: Option<&Tree>) -> String {
-    let symmetric = rest.windows(2).all(|pair| pair[0].0 == pair[1].0)
+    let symmetric = array::neighbours(rest).all(|((one, _), (other, _))| one == other)
         && rest.first().is_some_and(|(relation, _)| {
             matches!(
                 relation,

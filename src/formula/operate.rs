@@ -188,7 +188,9 @@ pub(super) fn call<K: Real>(
             _ => Ok(arguments.number(0)?.abs().into()),
         },
         Function::Sign => match arguments.number(0)?.sign() {
-            Some(sign) => Ok(Value::Number(Number::from(sign as i64))),
+            Some(sign) => Ok(Value::Number(Number::from(
+                i64::from(sign.is_gt()) - i64::from(sign.is_lt()),
+            ))),
             None => Err(Failure::no_value("a sign that cannot be told", tree)),
         },
         Function::Min => arguments.extreme(std::cmp::Ordering::Less),

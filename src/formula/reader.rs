@@ -101,8 +101,18 @@ impl Reader {
 
     /// The word so many places on. The list always ends with [`Token::End`], so the last word
     /// stands for all beyond.
+    #[expect(clippy::indexing_slicing, reason = "the list is never empty")]
     fn word_after(&self, count: usize) -> &Word {
         &self.words[(self.at + count).min(self.words.len() - 1)]
+    }
+
+    /// The word so many places back; the first word stands for all before.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the place is never beyond the last word"
+    )]
+    fn word_before(&self, count: usize) -> &Word {
+        &self.words[self.at.saturating_sub(count)]
     }
 
     fn token(&self) -> &Token {
@@ -119,7 +129,7 @@ impl Reader {
 
     /// Where the last word ends that has been read.
     fn end(&self) -> usize {
-        self.words[self.at.saturating_sub(1)].span.end
+        self.word_before(1).span.end
     }
 
     fn is_sign(&self, sign: &str) -> bool {
@@ -350,7 +360,7 @@ impl Reader {
     }
 
     fn two_numbers(&self) -> Result<(), ReadError> {
-        let (before, here) = (&self.words[self.at.saturating_sub(1)], self.word());
+        let (before, here) = (self.word_before(1), self.word());
         match (&before.token, &here.token) {
             (Token::Number(left), Token::Number(right)) => Err(ReadError::new(
                 format!("two numbers side by side: write `{left} * {right}` for a product"),
@@ -392,7 +402,7 @@ impl Reader {
 
     /// Whether the base of the power just entered ended with a parenthesis.
     fn closed_before_hat(&self) -> bool {
-        self.at >= 2 && is_sign(&self.words[self.at - 2].token, ")")
+        self.at >= 2 && is_sign(&self.word_before(2).token, ")")
     }
 
     /// `e^(i γ)` is the point of the unit circle; other powers of `e` are those of a symbol.
@@ -794,7 +804,7 @@ impl Reader {
             return Ok(());
         }
         let mut open = 0_usize;
-        for word in &self.words[self.at..] {
+        for word in self.words.iter().skip(self.at) {
             match word.token {
                 Token::Sign("(" | "[" | "{") => open += 1,
                 Token::Sign(")" | "]" | "}") => open = open.saturating_sub(1),

@@ -317,10 +317,11 @@ fn product<S: Style>(style: &S, whole: &Tree) -> String {
     let mut set = String::new();
     for (at, factor) in factors.iter().enumerate() {
         let next = factors.get(at + 1);
+        let before = at.checked_sub(1).and_then(|at| factors.get(at));
         let open_end = next.is_none_or(|next| is_call(next));
         let piece = if at == 0 && !S::SHAPED && is_fraction(factor) {
             bare(style, factor)
-        } else if at > 0 && numbers_touch::<S>(factors[at - 1], factor) {
+        } else if before.is_some_and(|before| numbers_touch::<S>(before, factor)) {
             style.fenced("(", &[bare(style, factor)], ")")
         } else {
             let context = if at == 0 {

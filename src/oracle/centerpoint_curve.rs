@@ -12,6 +12,7 @@ use super::sharpen::Attempt;
 use super::{ProblemError, Request, curve_wishes, stretches};
 use crate::finite::four_positions::{circle_conditions, isotropic, loop_closure, viewing_angles};
 use crate::finite::positions::{OPPOSITE_POLES, Positions};
+use crate::number::array;
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::curve_type::{self, CurveType};
@@ -175,9 +176,7 @@ fn quadrilateral_of<K: Shown>(
 ) -> Map<String, Value> {
     let poles = pairs.map(|(i, j)| positions.pole(i, j));
     let finite = poles.each_ref().map(|pole| pole.as_ref()?.finite());
-    let sides: Vec<Value> = (0..4)
-        .map(|i| side(&finite[i], &finite[(i + 1) % 4], attempt))
-        .collect();
+    let sides = array::sides(&finite).map(|(one, other)| side(one, other, attempt));
     let [shape, u_vs_z, extremes] = match finite {
         [Some(a), Some(b), Some(c), Some(d)] => described(&[a, b, c, d]),
         // A vertex at infinity, or none: what needs four finite ones does not exist.

@@ -8,6 +8,7 @@ use crate::finite::positions::Positions;
 use crate::finite::stretches::congruent_pencils::Dyad;
 use crate::finite::stretches::wishes::{Beside, LeastTransmission, Wishes};
 use crate::linkage::passage::Drive;
+use crate::number::array;
 use crate::number::{Ball, Exact, Number};
 use crate::plane::region::Region;
 use crate::plane::{Point, relation};
@@ -114,9 +115,7 @@ fn check_circle(
         .iter()
         .map(|d| relation::distance_squared(&d.of(&given.circlepoint), &given.center))
         .collect();
-    let is_circle = squares
-        .windows(2)
-        .all(|pair| pair[0].equals(&pair[1]).is_yes());
+    let is_circle = array::neighbours(&squares).all(|(one, next)| one.equals(next).is_yes());
     if is_circle {
         return Ok(());
     }

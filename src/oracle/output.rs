@@ -3,6 +3,7 @@
 use rug::{Integer, Rational};
 use serde_json::{Value, json};
 
+use crate::number::count;
 use crate::number::text::parse_rational;
 use crate::number::{Ball, Number, Surd};
 
@@ -24,7 +25,7 @@ pub fn enclosure_beside(number: &Number<Ball>, size: &Rational, digits: u32) -> 
     if number.0.radius_rational()?.is_zero() {
         return Some(exact(&mid));
     }
-    let text = number.0.to_decimal(digits as usize + 2)?;
+    let text = number.0.to_decimal(count::from_u32(digits) + 2)?;
     let (value, radius) = (
         parse_rational(&text.value).ok()?,
         parse_rational(&text.radius).ok()?,

@@ -8,6 +8,7 @@ use super::numeral::Shown;
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, ProblemError, Request};
 use crate::finite::positions::Positions;
+use crate::number::array;
 use crate::number::exact::rational_sqrt;
 use crate::number::{Ball, Elementary, Exact, Number, Real, Surd};
 use crate::plane::Point;
@@ -244,8 +245,8 @@ fn two_points(place: usize, position: &Value) -> Result<([Coordinates; 2], bool)
 }
 
 fn squared_distance([p, q]: &[Coordinates; 2]) -> Rational {
-    let part = |axis: usize| Rational::from(&q[axis] - &p[axis]);
-    part(0).square() + part(1).square()
+    let [x, y] = array::pairs(p, q).map(|(p, q)| Rational::from(q - p).square());
+    x + y
 }
 
 fn check_distances(pairs: &[[Coordinates; 2]], fit: bool) -> Result<(), ProblemError> {

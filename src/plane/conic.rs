@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::Point;
 use super::projective::{Line, ProjectivePoint};
+use crate::number::array;
 use crate::number::{Complex, Kind, Number, Real, Truth};
 
 /// A quadratic form a x² + b xy + c y² + d xw + e yw + f w², as [a, b, c, d, e, f].
@@ -52,7 +53,7 @@ fn product<K: Kind>([a, b, c]: &[Number<K>; 3], [x, y, z]: &[Number<K>; 3]) -> F
 }
 
 fn combined<K: Kind>(s: &Number<K>, form: &Form<K>, t: &Number<K>, other: &Form<K>) -> Form<K> {
-    std::array::from_fn(|i| s * &form[i] + t * &other[i])
+    array::pairs(form, other).map(|(a, b)| s * a + t * b)
 }
 
 fn all_zero<K: Kind>(form: &Form<K>) -> Truth {

@@ -1,6 +1,7 @@
 //! Polynomials in the coordinates x and y.
 
 use super::circular_cubic::Cubic;
+use crate::number::count;
 use crate::number::{Kind, Number, Truth};
 
 /// Σ cⱼₖ xʲ yᵏ, j + k at most the order.
@@ -19,8 +20,9 @@ fn start(order: usize, part: usize) -> usize {
 
 /// The determinant of three rows.
 pub fn determinant<K: Kind>([p, q, r]: &[[Polynomial<K>; 3]; 3]) -> Polynomial<K> {
-    let minor = |i: usize, j: usize| q[i].times(&r[j]).minus(&q[j].times(&r[i]));
-    let [m0, m1, m2] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let ([q0, q1, q2], [r0, r1, r2]) = (q, r);
+    let minors = [(q1, r2, q2, r1), (q2, r0, q0, r2), (q0, r1, q1, r0)];
+    let [m0, m1, m2] = minors.map(|(a, b, c, d)| a.times(b).minus(&c.times(d)));
     let sum = p[0].times(&m0).plus(&p[1].times(&m1));
     sum.plus(&p[2].times(&m2))
 }
@@ -97,7 +99,7 @@ impl<K: Kind> Polynomial<K> {
                     .filter(|_| exponent > 0)
                     .and_then(|of| of.coefficients.get_mut(start(order, n) + place));
                 if let Some(sum) = sum {
-                    *sum += exponent as i64 * coefficient;
+                    *sum += count::to_i64(exponent) * coefficient;
                 }
             }
         }

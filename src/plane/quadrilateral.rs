@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::isotropic::Polynomial;
 use super::{Point, relation};
+use crate::number::array;
 use crate::number::{Kind, Number, Real, Truth};
 
 /// How often the closed polygon goes round a point, counterclockwise; `None` where the point lies on
@@ -40,13 +41,15 @@ fn turn_of_side<K: Real>(from: &Point<K>, to: &Point<K>) -> Option<i64> {
 /// Whether a quadrilateral is convex, no three vertices on a line: it turns to the same side at all
 /// four vertices.
 pub fn is_convex<K: Real>(vertices: &[Point<K>; 4]) -> Truth {
-    let turn = |i: usize| {
-        let corner = [i, i + 1, i + 2].map(|j| &vertices[j % 4]);
-        relation::twice_area(corner[0], corner[1], corner[2])
-    };
-    let left = Truth::all((0..4).map(|i| turn(i).is_positive()));
-    let right = Truth::all((0..4).map(|i| (-turn(i)).is_positive()));
+    let turns = turns(vertices);
+    let left = Truth::all(turns.iter().map(Number::is_positive));
+    let right = Truth::all(turns.iter().map(|turn| (-turn).is_positive()));
     left | right
+}
+
+/// Twice the area of each three consecutive vertices, positive where they turn left.
+fn turns<K: Kind>([a, b, c, d]: &[Point<K>; 4]) -> [Number<K>; 4] {
+    [(a, b, c), (b, c, d), (c, d, a), (d, a, b)].map(|(p, q, r)| relation::twice_area(p, q, r))
 }
 
 /// The curve of the points from which the sides MA and BN of the quadrilateral M, A, B, N are seen
@@ -75,9 +78,8 @@ pub enum Shape {
 /// The shape; `None` where it cannot be told.
 pub fn shape<K: Real>(vertices: &[Point<K>; 4]) -> Option<Shape> {
     let mut left = 0;
-    for i in 0..4 {
-        let [a, b, c] = [i, i + 1, i + 2].map(|j| &vertices[j % 4]);
-        match relation::twice_area(a, b, c).sign()? {
+    for turn in turns(vertices) {
+        match turn.sign()? {
             Ordering::Equal => return Some(Shape::Degenerate),
             Ordering::Greater => left += 1,
             Ordering::Less => {}
@@ -92,7 +94,7 @@ pub fn shape<K: Real>(vertices: &[Point<K>; 4]) -> Option<Shape> {
 
 /// The squares of the sides AB, BC, CD, DA.
 pub fn squared_sides<K: Kind>(vertices: &[Point<K>; 4]) -> [Number<K>; 4] {
-    std::array::from_fn(|i| relation::distance_squared(&vertices[i], &vertices[(i + 1) % 4]))
+    array::sides(vertices).map(|(from, to)| relation::distance_squared(from, to))
 }
 
 /// The product of the eight sums s₁ ± s₂ ± s₃ ± s₄, from the squares of the sides:
@@ -125,7 +127,7 @@ pub fn u_vs_z<K: Real>(vertices: &[Point<K>; 4]) -> Option<Ordering> {
 
 /// The sides as multiples of the length of one of them.
 fn u_vs_z_on_a_line<K: Real>(vertices: &[Point<K>; 4]) -> Option<Ordering> {
-    let sides: [Point<K>; 4] = std::array::from_fn(|i| &vertices[(i + 1) % 4] - &vertices[i]);
+    let sides = array::sides(vertices).map(|(from, to)| to - from);
     let Some(unit) = sides.iter().find(|side| side.is_zero().is_no()) else {
         return Some(Ordering::Equal);
     };
@@ -160,6 +162,10 @@ pub enum Extremes {
 
 /// Where the shortest and the longest side lie; `None` where it cannot be told. Of four equal sides
 /// every one is both.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "the four sides are numbered 0 to 3"
+)]
 pub fn extremes<K: Real>(squares: &[Number<K>; 4]) -> Option<Extremes> {
     let is = |i: usize, wanted: Ordering| -> Truth {
         Truth::all((0..4).filter(|j| *j != i).map(|j| {

@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 
 use super::Point;
 use super::circular_cubic::Cubic;
+use crate::number::array;
 use crate::number::{Kind, Number, Polynomial, Real, Truth};
 
 /// The lines through a point of a cubic, with the directions a + p b, b itself for p = ∞.
@@ -152,7 +153,9 @@ fn count_real_roots<K: Real>(polynomial: &Polynomial<K>) -> Option<usize> {
 /// How often neighbours differ.
 fn changes(signs: impl Iterator<Item = Ordering>) -> usize {
     let signs: Vec<Ordering> = signs.collect();
-    signs.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    array::neighbours(&signs)
+        .filter(|(one, next)| one != next)
+        .count()
 }
 
 #[cfg(test)]

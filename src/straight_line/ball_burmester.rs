@@ -209,6 +209,10 @@ impl<K: Real> Cranks<K> {
     }
 
     /// The four-bar with two of them.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "an alternate has two of the three places"
+    )]
     pub fn design(&self, alternate: Alternate) -> Result<Design<K>, NoDesign> {
         if self.alpha_d.sin().is_zero().is_yes() {
             return Err(NoDesign::OutputAtPole);

@@ -61,6 +61,7 @@ impl<K: Kind> MeetOnLine<K> {
     }
 
     /// One of the coordinates as a polynomial in s.
+    #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
     pub fn polynomial(&self, place: usize) -> Polynomial<K> {
         let terms = self.weights.iter().zip(&self.basis);
         let terms = terms.map(|(weight, axis)| weight.scaled(&axis[place]));
@@ -68,6 +69,7 @@ impl<K: Kind> MeetOnLine<K> {
     }
 
     /// In one s of any kind.
+    #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
     pub fn at<L: Kind>(
         &self,
         s: &Number<L>,
@@ -106,6 +108,10 @@ impl<K: Kind> Chart<K> {
         let [p00, p01, p11] = [(e0, e0), (e0, e1), (e1, e1)].map(|(u, v)| products(u, v));
         let [p02, p12, p22] = [(e0, e2), (e1, e2), (e2, e2)].map(|(u, v)| products(u, v));
         // Twice a quadratic form is the bilinear form of a vector with itself.
+        #[expect(
+            clippy::indexing_slicing,
+            reason = "there are two products, for two conics"
+        )]
         let conic = |which: usize| {
             let [p00, p01, p11, p02, p12, p22] =
                 [&p00, &p01, &p11, &p02, &p12, &p22].map(|both| both[which].clone());
@@ -185,6 +191,7 @@ impl<K: Kind> Chart<K> {
         Some((s.clone(), self.point(&s, &n)))
     }
 
+    #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
     fn point(&self, s: &Number<K>, n: &Number<K>) -> Coordinates<K> {
         let [e0, e1, e2] = &self.basis;
         std::array::from_fn(|i| &e0[i] + &e1[i] * s + &e2[i] * n)
@@ -192,6 +199,7 @@ impl<K: Kind> Chart<K> {
 }
 
 /// Small integer combinations, independent, another for each seed.
+#[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
 fn mixed<K: Kind>(basis: &[Coordinates<K>; 3], seed: i64) -> [Coordinates<K>; 3] {
     let [a, b, c] = basis;
     let combine = |k: [i64; 3]| -> Coordinates<K> {

@@ -26,6 +26,10 @@ pub struct Conditioning {
 type Vector = [Number<Ball>; 4];
 
 /// Of a real pair; `None` where it is multiple or not known well enough.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "five positions by three numbers each, and four numbers of a pair"
+)]
 pub fn conditioning(
     positions: &[Displacement<Ball>; 5],
     [z, m]: [&Point<Ball>; 2],

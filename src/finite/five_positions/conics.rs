@@ -4,6 +4,7 @@ use rug::{Integer, Rational};
 
 use super::chart::{Chart, MeetOnLine, Meets};
 use super::conditions::{Coordinates, finite_pair, rows};
+use crate::number::array;
 use crate::number::exact::primitive;
 use crate::number::linear::{determinant, integer_kernel};
 use crate::number::univariate::{ComplexRoot, Polynomial, RealRoot, isolate, surds};
@@ -276,7 +277,7 @@ impl Isolated {
         let all = all.fold(Poly::from_integers(&[1]), |all, (_, part)| all * part);
         let value = |turn: i64| {
             let turn = Number::from(turn);
-            let quadratic = std::array::from_fn(|i| &from[i] * &turn - &to[i]);
+            let quadratic = array::pairs(&from, &to).map(|(from, to)| from * &turn - to);
             (turn, resultant_with_quadratic(&all, &quadratic))
         };
         let values: Vec<_> = (0..5).map(value).collect();

@@ -9,6 +9,7 @@
 use std::cmp::Ordering;
 
 use super::conditions::Coordinates;
+use crate::number::array;
 use crate::number::linear::{kernel, rank};
 use crate::number::{Exact, Number, Truth};
 use crate::plane::Point;
@@ -92,10 +93,10 @@ fn by_center([h, x, y, cx, cy, p, q]: &Row) -> [Curve; 3] {
 
 /// The common part of the curves of every three conditions, without the line at infinity.
 fn common_circlepoints(rows: &[Row; 4]) -> Option<Curve> {
-    let rows = rows.each_ref().map(by_center);
+    let [a, b, c, d] = &rows.each_ref().map(by_center);
     let mut common = Curve::zero(3);
-    for triple in [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]] {
-        let cubic: Cubic<Exact> = determinant(&triple.map(|row| rows[row].clone())).to_cubic()?;
+    for triple in [[a, b, c], [a, b, d], [a, c, d], [b, c, d]] {
+        let cubic: Cubic<Exact> = determinant(&triple.map(Clone::clone)).to_cubic()?;
         common = common_part(&common, &Curve::from(&cubic))?;
     }
     Some(common.finite_part())
@@ -178,7 +179,7 @@ fn of_translations(rows: &[Row; 4]) -> Option<Family> {
 fn resting_point(rows: &[Row; 4]) -> Option<Point<Exact>> {
     let differences = rows.iter().enumerate().flat_map(|(place, row)| {
         let others = rows.iter().skip(place + 1);
-        others.map(move |other| std::array::from_fn(|i| &row[i] - &other[i]))
+        others.map(move |other| array::pairs(row, other).map(|(one, other)| one - other))
     });
     let mut candidates = rows.iter().cloned().chain(differences);
     candidates.find_map(|row: Row| {

@@ -128,6 +128,10 @@ fn normal_to(frame: &[Coordinates<f64>], mut vector: Coordinates<f64>) -> Option
 }
 
 /// Newton's method on both conics, the largest of the three weights kept.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "there are three weights and axes, and seven coordinates"
+)]
 fn improved(basis: &[Pair; 3], start: &Pair) -> Option<Pair> {
     let weight =
         |axis: &Pair| -> Number<Complex<f64>> { axis.iter().zip(start).map(|(a, b)| a * b).sum() };

@@ -1,5 +1,6 @@
 //! The judge of a Burmester pair: an interval test on the circle conditions themselves.
 
+use crate::number::array;
 use crate::number::{Ball, Kind, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -41,6 +42,10 @@ pub type Vector = [Number<Ball>; 4];
 /// Rows.
 pub type Matrix = [Vector; 4];
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "four unknowns, hence four rows and columns"
+)]
 fn test(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> Option<bool> {
     let unknowns = [z.re(), z.im(), m.re(), m.im()];
     // Room around the enclosure, so that its image can lie inside.
@@ -95,18 +100,19 @@ impl Conditions for [Displacement<Ball>; 5] {
         let z = Number::complex(x.clone(), y.clone());
         let m = Number::complex(u.clone(), v.clone());
         let square = |position: &Displacement<Ball>| (position.of(&z) - &m).norm();
-        let first = square(&self[0]);
-        std::array::from_fn(|j| square(&self[j + 1]) - &first)
+        let [first, rest @ ..] = self;
+        let first = square(first);
+        rest.each_ref().map(|position| square(position) - &first)
     }
 
     fn derivative(&self, [x, y, u, v]: &Vector) -> Matrix {
         let z = Number::complex(x.clone(), y.clone());
         let m = Number::complex(u.clone(), v.clone());
         let gradient = |position| gradient(position, &z, &m);
-        let first = gradient(&self[0]);
-        std::array::from_fn(|j| {
-            let row = gradient(&self[j + 1]);
-            std::array::from_fn(|k| &row[k] - &first[k])
+        let [first, rest @ ..] = self;
+        let first = gradient(first);
+        rest.each_ref().map(|position| {
+            array::pairs(&gradient(position), &first).map(|(entry, first)| entry - first)
         })
     }
 }
@@ -119,8 +125,8 @@ pub fn gradient<K: Kind>(position: &Displacement<K>, z: &Point<K>, m: &Point<K>)
 }
 
 fn apply(matrix: &Matrix, vector: &Vector) -> Vector {
-    std::array::from_fn(|i| {
-        let terms = matrix[i].iter().zip(vector);
+    matrix.each_ref().map(|row| {
+        let terms = row.iter().zip(vector);
         terms.map(|(a, b)| a * b).sum()
     })
 }

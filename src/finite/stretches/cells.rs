@@ -227,6 +227,10 @@ impl<'a> Curve<'a> {
         }
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "all places are below the number of cells"
+    )]
     fn stretches_of(&self, branch: &Branch, place: usize) -> Option<Vec<Stretch>> {
         let Branch { cells, closed } = branch;
         let count = cells.len();

@@ -18,6 +18,7 @@ use std::cmp::Ordering;
 
 use crate::finite::four_positions::viewing_angles;
 use crate::finite::positions::Positions;
+use crate::number::array;
 use crate::number::exact::{primitive, rational_sqrt};
 use crate::number::{Exact, Kind, Number, Polynomial, Radical, Real, Truth};
 use crate::plane::curve_type::{CurveType, curve_type};
@@ -249,7 +250,7 @@ impl CongruentPencils {
             relation::distance_squared(&position.of(&circlepoint), &center)
         });
         let squares: Vec<Number<Radical>> = squares.collect();
-        Truth::all(squares.windows(2).map(|pair| pair[0].equals(&pair[1])))
+        Truth::all(array::neighbours(&squares).map(|(one, next)| one.equals(next)))
     }
 }
 
@@ -259,17 +260,17 @@ fn circlepoint_of(
     positions: &[Displacement<Exact>; 4],
     center: &Point<Exact>,
 ) -> Option<Point<Exact>> {
-    let places = positions
+    let [a, b, c, d] = &positions
         .each_ref()
         .map(|position| position.inverse().of(center));
-    [[0, 1, 2], [0, 1, 3], [0, 2, 3], [1, 2, 3]]
+    [[a, b, c], [a, b, d], [a, c, d], [b, c, d]]
         .into_iter()
-        .find_map(|[i, j, k]| {
-            let (u, v) = (&places[j] - &places[i], &places[k] - &places[i]);
+        .find_map(|[p, q, r]| {
+            let (u, v) = (q - p, r - p);
             let area = u.conj() * &v - &u * v.conj();
             area.is_zero()
                 .is_no()
-                .then(|| &places[i] + &u * &v * (&u - &v).conj() / area)
+                .then(|| p + &u * &v * (&u - &v).conj() / area)
         })
 }
 
@@ -287,10 +288,8 @@ fn reduced(direction: &Point<Exact>) -> Option<Point<Exact>> {
 
 /// k > 0 with a = k² b for two forms; `None` where there is none that is rational.
 fn ratio_root(a: &[Number<Exact>; 3], b: &[Number<Exact>; 3]) -> Option<Number<Exact>> {
-    let place = b
-        .iter()
-        .position(|coefficient| coefficient.is_zero().is_no())?;
-    let ratio = &a[place] / &b[place];
+    let (numerator, denominator) = a.iter().zip(b).find(|(_, b)| b.is_zero().is_no())?;
+    let ratio = numerator / denominator;
     let proportional = a.iter().zip(b).map(|(a, b)| a.equals(&(&ratio * b)));
     if !Truth::all(proportional).is_yes() {
         return None;

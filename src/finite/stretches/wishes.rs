@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use super::congruent_pencils::{CongruentPencils, Dyad};
 use crate::finite::positions::Positions;
 use crate::linkage::passage::{Drive, Joint, Passage, Type, is_in_order};
+use crate::number::array;
 use crate::number::{Ball, Exact, Kind, Number, Polynomial, Radical, Real, Truth};
 use crate::plane::displacement::Displacement;
 use crate::plane::region::Region;
@@ -287,9 +288,8 @@ fn one_way<K: Real>(places: &[Point<K>]) -> Truth {
     let Some((first, rest)) = places.split_first() else {
         return Truth::Yes;
     };
-    let turns: Vec<Option<Ordering>> = rest
-        .windows(2)
-        .map(|pair| relation::twice_area(first, &pair[0], &pair[1]).sign())
+    let turns: Vec<Option<Ordering>> = array::neighbours(rest)
+        .map(|(one, next)| relation::twice_area(first, one, next).sign())
         .collect();
     let all = |wanted: Ordering| {
         let is = |sign: &Option<Ordering>| Truth::of_sign(*sign, |sign| sign == wanted);

@@ -14,6 +14,7 @@ mod double_points;
 pub use double_points::Crossing;
 
 use super::cognates::CouplerPoint;
+use crate::number::array;
 use crate::number::{Kind, Number};
 use crate::plane::circle::Circle;
 use crate::plane::polynomial::Polynomial;
@@ -43,13 +44,11 @@ pub struct Bars<K> {
 
 impl<K: Kind> From<&CouplerPoint<K>> for CouplerCurve<K> {
     fn from(linkage: &CouplerPoint<K>) -> Self {
-        let arm = |place: usize| &linkage.pins[place] - &linkage.point;
-        let crank =
-            |place: usize| relation::distance_squared(&linkage.pins[place], &linkage.pivots[place]);
         CouplerCurve {
             pivots: linkage.pivots.clone(),
-            arms: [0, 1].map(arm),
-            cranks: [0, 1].map(crank),
+            arms: linkage.pins.each_ref().map(|pin| pin - &linkage.point),
+            cranks: array::pairs(&linkage.pins, &linkage.pivots)
+                .map(|(pin, pivot)| relation::distance_squared(pin, pivot)),
         }
     }
 }
@@ -67,6 +66,7 @@ impl<K: Kind> CouplerCurve<K> {
     }
 
     /// 2U or 2V.
+    #[expect(clippy::indexing_slicing, reason = "the side is 0 or 1")]
     fn reach(&self, side: usize) -> Polynomial<K> {
         let (pivot, arm) = (&self.pivots[side], &self.arms[side]);
         let [x, y] = [pivot.re(), pivot.im()];
@@ -75,6 +75,7 @@ impl<K: Kind> CouplerCurve<K> {
     }
 
     /// Real and imaginary part of p or q.
+    #[expect(clippy::indexing_slicing, reason = "the side is 0 or 1")]
     fn lever(&self, side: usize) -> [Polynomial<K>; 2] {
         let arm = &self.arms[side];
         let at_origin = arm * self.pivots[side].conj();

@@ -85,6 +85,10 @@ fn of_rational(forms: &Forms, pairs: &Pairs<'_>, sheet: &Sheet<'_>) -> Result<()
 }
 
 /// Both points of all pairs, by two eliminations, and the pairs at infinity.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "two coordinates of the circlepoint and two of the center"
+)]
 fn by_elimination(forms: &Forms, pairs: &Pairs<'_>, sheet: &Sheet<'_>) -> Result<(), Defect> {
     let Sheet { digits, bits, .. } = *sheet;
     let exchanged = forms.each_ref().map(Form::exchanged);

@@ -58,7 +58,8 @@ impl Known {
             return false;
         };
         let point = point(&listed["circlepoint"], "at_infinity", digits);
-        let part = |axis: usize| Shown::read(&listed["direction"][axis], "at_infinity");
+        let direction = &listed["direction"];
+        let part = |axis: usize| Shown::read(&direction[axis], "at_infinity");
         let (Ok(point), Ok(x), Ok(y)) = (point, part(0), part(1)) else {
             return false;
         };
@@ -129,14 +130,14 @@ pub fn check(
 
 /// Of a pair that is listed several times the known copies come last.
 fn slides_left(known: &[Known], at_infinity: &[Value], digits: u32) -> Vec<usize> {
-    let is_left = |place: &usize| {
-        let pair = &at_infinity[*place];
+    let is_left = |(place, pair): &(usize, &Value)| {
         let named = known
             .iter()
             .filter(|one| one.is_slide(pair, digits))
             .count();
         let copies_from_here = at_infinity.iter().skip(*place);
-        copies_from_here.filter(|other| *other == pair).count() > named
+        copies_from_here.filter(|other| other == pair).count() > named
     };
-    (0..at_infinity.len()).filter(is_left).collect()
+    let left = at_infinity.iter().enumerate().filter(is_left);
+    left.map(|(place, _)| place).collect()
 }

@@ -6,6 +6,7 @@
 
 use rug::Rational;
 
+use crate::number::array;
 use crate::number::{Ball, Complex, Exact, Kind, Number};
 use crate::oracle::positions::Given;
 use crate::plane::displacement::Displacement;
@@ -133,6 +134,10 @@ impl<K: Kind> Conditions<K> {
     }
 
     /// What 1, x, y, X, Y, xX + yY and yX − xY are multiplied with, from the values in a few pairs.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "there are four values in every pair"
+    )]
     pub fn forms(&self) -> Option<[Form<K>; 4]> {
         let at = |pair: [i64; 4]| self.at(&pair.map(Number::from));
         let origin = at([0, 0, 0, 0])?;
@@ -179,7 +184,7 @@ fn differences<K: Kind, const N: usize>(
         group.into_iter().enumerate().map(move |(power, term)| {
             let base = (power == 0).then_some(first);
             base.map_or(term.clone(), |base| {
-                std::array::from_fn(|i| &term[i] - &base[i])
+                array::pairs(&term, base).map(|(term, base)| term - base)
             })
         })
     });
@@ -205,6 +210,7 @@ impl<K: Kind> Form<K> {
     }
 
     /// Of several forms, each so often.
+    #[expect(clippy::indexing_slicing, reason = "a form has seven coefficients")]
     pub fn sum(forms: &[Self; 4], factors: [i64; 4]) -> Self {
         Form(std::array::from_fn(|i| {
             let terms = forms.iter().zip(factors);
@@ -213,7 +219,7 @@ impl<K: Kind> Form<K> {
     }
 
     pub fn minus(&self, other: &Self) -> Self {
-        Form(std::array::from_fn(|i| &self.0[i] - &other.0[i]))
+        Form(array::pairs(&self.0, &other.0).map(|(one, other)| one - other))
     }
 
     /// Whether no product of circlepoint and center stands in it.

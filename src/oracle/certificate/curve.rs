@@ -15,6 +15,7 @@ use super::known::{Known, vanish};
 use super::rest::Rest;
 use super::shown::{decided, point};
 use super::{Defect, require};
+use crate::number::array;
 use crate::number::univariate::Polynomial;
 use crate::number::{Number, Truth};
 
@@ -84,6 +85,10 @@ impl<K: Known> Curve<'_, K> {
 
     /// Where the lines along (b, −a), on which the curve has no term of order three, have none of order
     /// two.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "a linear form has three coefficients"
+    )]
     fn asymptote(&self) -> Linear<K> {
         let [a, b, ..] = self.0;
         let [xx, xy, yy] = self.second();
@@ -263,7 +268,7 @@ impl<K: Known> Curve<'_, K> {
 }
 
 fn minus<K: Known>(one: &Linear<K>, other: &Linear<K>) -> Linear<K> {
-    std::array::from_fn(|i| &one[i] - &other[i])
+    array::pairs(one, other).map(|(one, other)| one - other)
 }
 
 /// A polynomial in t times p + q t.

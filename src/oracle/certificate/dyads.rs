@@ -19,7 +19,9 @@ pub fn linkages(five: &impl Five, pairs: &Pairs<'_>, sheet: &Sheet<'_>) -> Resul
     let linkages = list(sheet.answer, "linkages")?;
     let mut names: Vec<Value> = (0..pairs.real().count()).map(Value::from).collect();
     for (place, pair) in pairs.at_infinity.iter().enumerate() {
-        let is_new = place == 0 || pairs.at_infinity[place - 1] != *pair;
+        let before = place.checked_sub(1);
+        let before = before.and_then(|before| pairs.at_infinity.get(before));
+        let is_new = before != Some(pair);
         if is_new && pair["kind"] != "isotropic" {
             names.push(json!({"at_infinity": place}));
         }
@@ -51,9 +53,8 @@ pub fn linkages(five: &impl Five, pairs: &Pairs<'_>, sheet: &Sheet<'_>) -> Resul
     };
     let mut rest = Rest::default();
     for linkage in linkages {
-        if let [Some(first), Some(second)] =
-            [0, 1].map(|side: usize| named(&linkage["pairs"][side]))
-        {
+        let shown = &linkage["pairs"];
+        if let [Some(first), Some(second)] = [0, 1].map(|side: usize| named(&shown[side])) {
             rest.after(linkages::check([first, second], linkage, sheet))?;
         }
     }

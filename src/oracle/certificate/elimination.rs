@@ -67,6 +67,10 @@ pub fn row(form: &Form<Exact>, [x, y]: &[Number<Exact>; 2], [dx, dy]: [i64; 2]) 
     })
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "a condition has three coefficients"
+)]
 fn minor(p: &Row, q: &Row, i: usize, j: usize) -> Poly {
     &p[i] * &q[j] - &p[j] * &q[i]
 }
@@ -84,10 +88,13 @@ fn of_degree(degree: usize, curves: [Poly; 2]) -> Option<[Poly; 2]> {
 
 /// ax + by in the point A₁ = A₂ = 0.
 fn without_x(forms: &[Form<Exact>; 4], direction: [i64; 2]) -> Option<Number<Exact>> {
-    let [[p, a, b], [q, c, d]] = [0, 1].map(|i| {
-        let [by_x, ..] = forms[i].by_center();
-        by_x
-    });
+    let [[p, a, b], [q, c, d]] = {
+        let [first, second, ..] = forms;
+        [first, second].map(|form| {
+            let [by_x, ..] = form.by_center();
+            by_x
+        })
+    };
     let area = &a * &d - &b * &c;
     if !area.is_zero().is_no() {
         return None;

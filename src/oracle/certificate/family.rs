@@ -31,6 +31,7 @@ pub fn has_no_pair(forms: &Forms) -> bool {
     [forms, &exchanged].into_iter().all(is_never_fulfilled)
 }
 
+#[expect(clippy::indexing_slicing, reason = "triples of the four conditions")]
 fn is_never_fulfilled(forms: &Forms) -> bool {
     let [first, second, third, fourth] = forms;
     let to_first = TRIPLES.map(|triple| triple.map(|i| forms[i].clone()));
@@ -67,6 +68,7 @@ pub fn check(forms: &Forms, family: &Value) -> Result<(), Defect> {
 }
 
 /// On x = start + slope · t, y = t, the curves of every three conditions.
+#[expect(clippy::indexing_slicing, reason = "triples of the four conditions")]
 fn curves(forms: &Forms, line: [i64; 2]) -> [Poly; 4] {
     let rows = forms.each_ref().map(|form| on_line(form, line));
     TRIPLES.map(|[i, j, k]| determinant(&rows[i], &rows[j], &rows[k]))

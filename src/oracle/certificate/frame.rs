@@ -58,7 +58,8 @@ fn are_missing(names: &[&str], answer: &Value) -> Result<(), Defect> {
     for name in names {
         require(answer[*name].is_null(), name, "there is none here")?;
     }
-    let polodes = ["fixed", "moving"].map(|name| &answer["polodes"][name]);
+    let polodes = &answer["polodes"];
+    let polodes = ["fixed", "moving"].map(|name| &polodes[name]);
     let none = polodes.into_iter().all(Value::is_null);
     require(none, "polodes", "the polodes have no curvature here")
 }
@@ -75,14 +76,13 @@ fn seen_from_pole(
     let third = seen(3) * 6;
     let fourth = (seen(4) - Number::i() * Point::from(bent)) * 24;
     let mut rest = Rest::default();
+    let [invariants, polodes] = ["invariants", "polodes"].map(|name| &sheet.answer[name]);
     for (name, own) in [("third", &third), ("fourth", &fourth)] {
-        let shown = &sheet.answer["invariants"][name];
-        rest.after(sheet.finite_point(shown, "invariants", &parts(own)))?;
+        rest.after(sheet.finite_point(&invariants[name], "invariants", &parts(own)))?;
     }
     for (name, curvature) in [("fixed", third.re() + 1), ("moving", third.re() + 2)] {
         let [x, y] = parts(&(pole.scaled(&curvature) + diameter));
-        let shown = &sheet.answer["polodes"][name];
-        rest.after(sheet.point(shown, "polodes", &[x, y, curvature]))?;
+        rest.after(sheet.point(&polodes[name], "polodes", &[x, y, curvature]))?;
     }
     rest.finish()
 }

@@ -91,6 +91,10 @@ impl<'a> Sheet<'a> {
 
     /// Whether these are the coefficients up to a factor, in their normal form: primitive integers, the
     /// first positive, or scaled so that the largest is 1.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the unit is one of the coefficients, and both lists have as many"
+    )]
     pub fn up_to_factor<K: Known>(
         &self,
         shown: &Value,

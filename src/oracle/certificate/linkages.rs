@@ -103,14 +103,16 @@ pub fn check(dyads: [&Dyad; 2], shown: &Value, sheet: &Sheet<'_>) -> Result<(), 
     };
     is("type", &shown["type"], Some(json!(four_bar.word())))?;
     is("circuit", &shown["circuit"], known(four_bar.circuit()))?;
+    let [cranks, branches, orders, ranges] =
+        ["crank", "branch", "order", "transmission"].map(|name| &shown[name]);
     for (name, driven) in [("first", &four_bar), ("second", &exchanged)] {
         let way = driven.way(sheet.bits);
         let crank = way.as_ref().map(|way| json!(driven.is_crank(way)));
-        is("crank", &shown["crank"][name], crank)?;
+        is("crank", &cranks[name], crank)?;
         let reached = way.as_ref();
         let reached = reached.map_or(Truth::Unknown, |way| driven.branch(way));
-        is("branch", &shown["branch"][name], known(reached))?;
-        let (order, range) = (&shown["order"][name], &shown["transmission"][name]);
+        is("branch", &branches[name], known(reached))?;
+        let (order, range) = (&orders[name], &ranges[name]);
         if let Some(way) = way
             && !reached.is_unknown()
         {

@@ -9,6 +9,7 @@ use super::geometry::Sheet;
 use super::pairs::Pairs;
 use super::rest::Rest;
 use super::{Defect, all_pairs, dyads};
+use crate::number::count;
 use crate::number::{Ball, Exact, Kind, Number, Surd};
 use crate::oracle::ProblemError;
 use crate::oracle::input::{Angle, Fields};
@@ -43,9 +44,9 @@ impl Position {
         let derivatives = derivatives
             .then(|| fields.list("derivatives"))
             .transpose()?;
-        for (order, value) in derivatives.unwrap_or_default().iter().enumerate() {
+        for (value, order) in derivatives.unwrap_or_default().iter().zip(1_u64..) {
             let derivative = Fields::at(value, "derivatives")?;
-            factorial *= order as u64 + 1;
+            factorial *= order;
             let term = |name: &str| Ok(derivative.number(name)? / &factorial);
             terms.push([term("x")?, term("y")?, term("angle")?]);
         }
@@ -70,7 +71,7 @@ impl Position {
                     turn * Point::<K>::from(Rational::from(angle * k))
                 })
                 .sum();
-            turns.push(Number::i() * sum / n as i64);
+            turns.push(Number::i() * sum / count::to_i64(n));
         }
         let shifts = self.terms.iter().map(|[x, y, _]| {
             let [x, y] = [x, y].map(|part| Number::from(part.clone()));

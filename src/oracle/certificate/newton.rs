@@ -3,6 +3,7 @@
 use rug::Rational;
 
 use super::conditions::{Conditions, Pair};
+use crate::number::array;
 use crate::number::{Ball, Complex, Number};
 
 type Entry = Number<Complex<Ball>>;
@@ -21,7 +22,7 @@ pub fn enclosed(five: &Five, start: &Vector, is_real: bool, bits: u32) -> Option
     let mut middle = rounded(start, is_real, bits)?;
     for _ in 0..STEPS {
         let step = newton_step(five, &middle, bits)?;
-        let next: Vector = std::array::from_fn(|i| &middle[i] - &step[i]);
+        let next: Vector = array::pairs(&middle, &step).map(|(middle, step)| middle - step);
         middle = rounded(&next, is_real, bits)?;
         let size = scale(&middle)?.max(five.reach()?);
         if scale(&step)? <= size.clone() >> (bits / 2 + 16) {
@@ -33,6 +34,10 @@ pub fn enclosed(five: &Five, start: &Vector, is_real: bool, bits: u32) -> Option
 }
 
 /// Krawczyk's operator on the box around a middle, where it lies inside.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "four unknowns, hence four rows and columns"
+)]
 fn contracted(
     five: &Five,
     middle: &Vector,
@@ -124,6 +129,7 @@ fn applied(matrix: &Matrix, vector: &Vector) -> Vector {
 }
 
 /// Near the inverse, without a radius: by elimination with the largest pivot.
+#[expect(clippy::indexing_slicing, reason = "four rows of eight columns")]
 fn approximate_inverse(matrix: &Matrix, bits: u32) -> Option<Matrix> {
     let mut rows: Vec<Vec<Entry>> = Vec::new();
     for (i, row) in matrix.iter().enumerate() {

@@ -12,6 +12,7 @@ use super::newton::{self, Vector};
 use super::shown::{Coordinate, Shown, list, point};
 use super::{Defect, require};
 use crate::number::{Exact, Number};
+use crate::number::{array, count};
 use crate::plane::Point;
 
 /// How often the precision is doubled before a pair is said to be none.
@@ -86,15 +87,13 @@ impl<'a> Pairs<'a> {
     /// By x, then y.
     fn order(&self) -> Result<(), Defect> {
         let real: Vec<&Pair> = self.real().collect();
-        for two in real.windows(2) {
-            if let [a, b] = two {
-                let compare = |axis: usize| a.enclosure[axis].re().compare(b.enclosure[axis].re());
-                let sorted = match compare(0) {
-                    Some(order) if order.is_ne() => order.is_lt(),
-                    _ => compare(1).is_none_or(Ordering::is_le),
-                };
-                require(sorted, "pairs", "the pairs are not sorted by x, then y")?;
-            }
+        for (one, next) in array::neighbours(&real) {
+            let ([x, y, ..], [u, v, ..]) = (&one.enclosure, &next.enclosure);
+            let sorted = match x.re().compare(u.re()) {
+                Some(order) if order.is_ne() => order.is_lt(),
+                _ => y.re().compare(v.re()).is_none_or(Ordering::is_le),
+            };
+            require(sorted, "pairs", "the pairs are not sorted by x, then y")?;
         }
         Ok(())
     }
@@ -153,7 +152,8 @@ fn pair(
         name,
         "real and complex pairs are mixed up",
     )?;
-    let multiplicity = value["multiplicity"].as_u64().unwrap_or_default() as usize;
+    let multiplicity = value["multiplicity"].as_u64();
+    let multiplicity = multiplicity.map_or(0, count::from_u64);
     require(
         (1..=4).contains(&multiplicity),
         name,
@@ -202,7 +202,9 @@ fn simple(
 }
 
 fn certificate(answer: &Value) -> Result<(), Defect> {
-    let verified = answer["certificate"]["krawczyk"].as_array();
+    let verified = answer
+        .pointer("/certificate/krawczyk")
+        .and_then(Value::as_array);
     let pairs = list(answer, "pairs")?.len();
     require(
         verified.is_some_and(|verified| verified.len() == pairs),

@@ -79,9 +79,10 @@ fn path_is_shown(path: &[Point], shown: &Value, sheet: &Sheet<'_>) -> Result<(),
         };
         contact((0..links.len()).map(square))
     });
+    let shown = &shown["contact"];
     for (name, own) in [("tangent", tangent), ("circle", circle)] {
         let right = own.unwrap_or(Value::Null);
-        let said = &shown["contact"][name];
+        let said = &shown[name];
         require(*said == right, "points.contact", "it is of another order")?;
     }
     rest.finish()

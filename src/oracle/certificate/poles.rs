@@ -46,8 +46,8 @@ pub fn poles<K: Known>(
             continue;
         };
         for (name, truth) in [("poles", pole), ("image_poles", image)] {
-            let shown = &sheet.answer[name][&label(i, j)];
-            rest.after(sheet.point(shown, name, &truth))?;
+            let shown = &sheet.answer[name];
+            rest.after(sheet.point(&shown[&label(i, j)], name, &truth))?;
         }
     }
     rest.finish()
@@ -112,8 +112,9 @@ fn turns(positions: &Positions<Ball>, sheet: &Sheet<'_>) -> Result<(), Defect> {
             continue;
         };
         let turn = &b.rotation * a.rotation.conj();
-        let degrees = &sheet.answer[place][&label(i, j)]["degrees"];
-        let degrees = decided(sheet.answer, degrees, place)?;
+        let shown = &sheet.answer[place];
+        let shown = &shown[&label(i, j)];
+        let degrees = decided(sheet.answer, &shown["degrees"], place)?;
         is_turn(degrees, &turn, place, sheet)?;
     }
     Ok(())

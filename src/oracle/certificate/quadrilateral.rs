@@ -12,6 +12,7 @@ use super::rest::Rest;
 use super::shown::{decided, list};
 use super::{Defect, require};
 use crate::finite::positions::Positions;
+use crate::number::array;
 use crate::number::{Ball, Number};
 use crate::oracle::positions::Given;
 use crate::plane::{Point, relation};
@@ -43,9 +44,9 @@ pub fn check<K: Known>(
             "other poles were expected",
         )?;
         let vertices = labels.map(|label| vertex(given, positions, label));
-        for (place, side) in list(shown, "sides")?.iter().enumerate() {
-            let ends = [&vertices[place % 4], &vertices[(place + 1) % 4]];
-            rest.after(is_side(side, ends, sheet))?;
+        let ends = array::sides(&vertices);
+        for (side, (from, to)) in list(shown, "sides")?.iter().zip(ends.iter().cycle()) {
+            rest.after(is_side(side, [from, to], sheet))?;
         }
         let count = list(shown, "sides")?.len();
         require(count == 4, "quadrilaterals.sides", "there are four")?;
@@ -100,9 +101,7 @@ fn described<K: Known>(
     shown: &Value,
     sheet: &Sheet<'_>,
 ) -> Result<(), Defect> {
-    let squares: [Number<K>; 4] = std::array::from_fn(|place| {
-        relation::distance_squared(&vertices[place], &vertices[(place + 1) % 4])
-    });
+    let squares = array::sides(vertices).map(|(from, to)| relation::distance_squared(from, to));
     let own = [
         ("shape", shape(vertices)),
         ("u_vs_z", u_vs_z(&squares, sheet.bits)),

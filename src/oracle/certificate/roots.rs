@@ -56,6 +56,7 @@ pub fn check(forms: &Forms, listed: &[Listed], place: &str, bits: u32) -> Result
     Ok(())
 }
 
+#[expect(clippy::indexing_slicing, reason = "there is a count for every root")]
 fn compare(
     polynomial: &Polynomial<Exact>,
     [a, b]: [i64; 2],

@@ -76,6 +76,7 @@ struct SliderCrank<K> {
 }
 
 /// Checks everything.
+#[expect(clippy::indexing_slicing, reason = "the same names in both kinds")]
 pub fn check(given: &Given, answer: &Value) -> Result<(), Defect> {
     let digits = digits(answer)?;
     let bits = bits(answer)?;
@@ -333,6 +334,10 @@ struct Found<'a> {
 }
 
 impl Found<'_> {
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the rays of B and C, with two distances each"
+    )]
     fn are_shown(
         &self,
         quadratic: &Quadratic<Ball>,

@@ -309,9 +309,9 @@ fn sorted(places: &[Number<Ball>]) -> Option<Vec<usize>> {
         }
         ranks.push(rank);
     }
-    let mut order: Vec<usize> = (0..places.len()).collect();
-    order.sort_by_key(|place| ranks[*place]);
-    Some(order.iter().map(|place| place + 1).collect())
+    let mut order: Vec<(usize, usize)> = ranks.into_iter().zip(1..).collect();
+    order.sort_by_key(|(rank, _)| *rank);
+    Some(order.into_iter().map(|(_, number)| number).collect())
 }
 
 /// Whether least and greatest angle and the deviation from 90° are those of the cosines.

@@ -205,7 +205,9 @@ impl Attempt {
         let turned = match angle {
             Numeral::Exact(degrees) => Numeral::Exact(start + side * degrees),
             Numeral::Enclosed(degrees) => Numeral::Enclosed(start + side * degrees),
-            Numeral::Float(degrees) => Numeral::Float(start as f64 + side as f64 * degrees),
+            Numeral::Float(degrees) => {
+                Numeral::Float(f64::integer(start) + f64::integer(side) * degrees)
+            }
         };
         let degrees = turned
             .rational()

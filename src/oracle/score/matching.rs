@@ -10,6 +10,10 @@ const FORBIDDEN: f64 = 1e12;
 
 /// The column of each row, by whether it needs one and by the cost (0 to 1) of every possible match; the
 /// Hungarian method.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "rows and columns of one rectangle of costs"
+)]
 pub fn assign(
     needed: &[bool],
     columns: usize,
@@ -57,6 +61,10 @@ struct Matching {
 
 impl Matching {
     /// Adds a row along the cheapest alternating path to a free column.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "rows and columns of one rectangle of costs"
+    )]
     fn add(&mut self, first: usize) {
         let width = self.column_price.len();
         let mut distance = vec![f64::INFINITY; width];

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::number::Known;
 use super::shape::Shape;
+use crate::number::count;
 
 /// What is no answer, and where.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -233,7 +234,7 @@ fn member(
     let multiplicity = object.get("multiplicity").and_then(Value::as_u64);
     Ok(Member {
         parts,
-        multiplicity: multiplicity.map_or(1, |times| times.clamp(1, 4) as usize),
+        multiplicity: multiplicity.map_or(1, |times| count::from_u64(times.clamp(1, 4))),
     })
 }
 

@@ -11,6 +11,7 @@ use super::matching;
 use super::number::Known;
 use super::read::{Member, Misread, Part, Source, Stated, Statements, read};
 use super::shape::{self, Shape};
+use crate::number::count;
 use crate::number::text::parse_rational;
 use crate::number::{Ball, Number};
 
@@ -150,7 +151,7 @@ impl Reference {
     fn tolerance_of(&self, multiplicity: usize) -> Rational {
         let root = thousand_roundings()
             .to_f64()
-            .powf(1.0 / multiplicity as f64);
+            .powf(1.0 / count::to_f64(multiplicity));
         let parting = Rational::from_f64(root).unwrap_or_default();
         if multiplicity > 1 {
             parting.max(self.tolerance.clone())

@@ -5,6 +5,7 @@ use rug::Rational;
 
 use super::deviation::crank;
 use super::writer::passage;
+use crate::number::count;
 use crate::number::text::round_to_decimals;
 use crate::number::{Ball, Number, Real, Surd};
 use crate::oracle::linkages::words;
@@ -28,7 +29,7 @@ pub type Rays = [u32; 2];
 
 /// All points of the grid: 0 <= α_a <= 90, α_a < α_b < 180.
 pub fn grid(step: u32) -> Vec<Rays> {
-    let step = step.max(1) as usize;
+    let step = count::from_u32(step.max(1));
     let row = |a: u32| {
         (0..180)
             .step_by(step)

@@ -167,9 +167,9 @@ fn derivatives(design: &Design<Ball>, unit: &Number<Ball>, attempt: &mut Attempt
     }
     let rate = deviation.u.derivative();
     let mut of_u = deviation.v;
-    let list = (0..DERIVATIVES).map(|j| {
+    let list = (0_i32..).take(DERIVATIVES).map(|j| {
         of_u = of_u.derivative() / &rate;
-        let value = of_u.coefficient(0) * unit.power(j as i32);
+        let value = of_u.coefficient(0) * unit.power(j);
         attempt.beside_one("derivatives", &value)
     });
     list.collect()

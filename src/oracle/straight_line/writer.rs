@@ -8,6 +8,7 @@ use super::solution::{Found, Place, Solution};
 use crate::linkage::cognates::CouplerPoint;
 use crate::linkage::passage::{Joint, Passage};
 use crate::number::{Ball, Number, Truth};
+use crate::number::{array, count};
 use crate::oracle::linkages::words;
 use crate::oracle::numeral::{Numeral, Shown};
 use crate::oracle::output;
@@ -171,8 +172,10 @@ impl Attempt {
         }
         let term = |of: &Number<crate::number::Series<K>>, j: usize| of.coefficient(j);
         let rate = term(&deviation.u, 1);
-        let factorial = (1..=proven as i64 + 1).product::<i64>();
-        let derivative = factorial * term(&deviation.v, proven + 1) / rate.power(proven as i32 + 1);
+        let next = proven + 1;
+        let factorial = (1..=count::to_i64(next)).product::<i64>();
+        let power = rate.power(i32::try_from(next).unwrap_or(i32::MAX));
+        let derivative = factorial * term(&deviation.v, next) / power;
         let mut fields = Map::new();
         fields.insert("order".into(), json!(proven));
         let proof = if known == proven {
@@ -286,9 +289,10 @@ fn moved<K: Shown>(design: &Design<K>, displacement: &Displacement<K>) -> Design
 
 /// By how much the squares of the cranks change (Tesar 1964, (4.39), (4.44)).
 fn errors<K: Shown>(design: &Design<K>, moved: &Design<K>) -> [Number<K>; 2] {
-    let crank =
-        |of: &Design<K>, place: usize| (&of.linkage.pins[place] - &of.linkage.pivots[place]).norm();
-    [0, 1].map(|place| crank(moved, place) - crank(design, place))
+    let cranks = |of: &Design<K>| {
+        array::pairs(&of.linkage.pins, &of.linkage.pivots).map(|(pin, pivot)| (pin - pivot).norm())
+    };
+    array::pairs(&cranks(moved), &cranks(design)).map(|(moved, own)| moved - own)
 }
 
 /// The linkage in its design position and in others.

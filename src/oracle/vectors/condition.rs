@@ -131,6 +131,7 @@ impl Disturbance {
         Some(json!({"circlepoint": end("circlepoint")?, "center": end("center")?}))
     }
 
+    #[expect(clippy::indexing_slicing, reason = "a field of an object")]
     fn position(&mut self, position: &Value) -> Option<Value> {
         if let Some(points) = position["points"].as_array() {
             return self.two_points(position, points);

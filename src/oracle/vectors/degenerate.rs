@@ -6,6 +6,7 @@ use super::Problem;
 use super::draw::turn;
 use super::pose::{self, Position, at};
 use crate::number::Exact;
+use crate::number::array;
 use crate::plane::displacement::Displacement;
 use crate::plane::{Point, line};
 
@@ -57,12 +58,8 @@ fn quadrilateral(points: [(i64, i64); 4]) -> Vec<Position> {
 /// sides are together as long as the others, up to signs.
 fn tangential(halves: [(i64, i64); 4]) -> Vec<Position> {
     let touch = halves.map(|(n, d)| by(n, d));
-    let vertex = |i: usize| {
-        // The tangents in u and v meet in 2uv/(u + v).
-        let (u, v) = (&touch[i], &touch[(i + 1) % 4]);
-        2 * u * v / (u + v)
-    };
-    of_quadrilateral(&[vertex(0), vertex(1), vertex(2), vertex(3)])
+    // The tangents in u and v meet in 2uv/(u + v).
+    of_quadrilateral(&array::sides(&touch).map(|(u, v)| 2 * u * v / (u + v)))
 }
 
 /// How positions of a kind are made.
@@ -219,10 +216,10 @@ fn poles(positions: &[Position]) -> Value {
 fn flags(positions: &[Position]) -> Vec<&'static str> {
     let claims = poles(positions);
     let mut flags = vec!["degenerate"];
-    if claims["poles_at_infinity"] != json!(0) {
+    if claims.get("poles_at_infinity") != Some(&json!(0)) {
         flags.push("pole-at-infinity");
     }
-    if claims["undetermined_poles"] != json!(0) {
+    if claims.get("undetermined_poles") != Some(&json!(0)) {
         flags.push("equal-positions");
     }
     flags
@@ -233,6 +230,7 @@ fn slug(kind: &str) -> String {
     kind.replace(", ", "-").replace(' ', "-")
 }
 
+#[expect(clippy::indexing_slicing, reason = "a field of an object")]
 pub fn four_positions() -> Vec<Problem> {
     let problem = |(kind, make): &(&str, fn() -> Vec<Position>)| {
         let positions = make();

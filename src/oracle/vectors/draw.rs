@@ -4,6 +4,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rug::Rational;
 
+use crate::number::count;
 use crate::number::{Exact, Number};
 use crate::plane::{Angle, Point};
 
@@ -60,21 +61,21 @@ impl Draw {
     /// Mostly an integer, else with a denominator up to 7.
     pub fn number(&mut self) -> Rational {
         let denominator = if self.below(3) == 0 {
-            self.positive(7)
+            self.below(7) + 1
         } else {
             1
         };
-        Rational::from((self.integer(9 * denominator as u32), denominator))
+        Rational::from((self.integer(9 * denominator), denominator))
     }
 
     /// A number that is not negative and not zero.
     pub fn length(&mut self) -> Rational {
         let denominator = if self.below(3) == 0 {
-            self.positive(5)
+            self.below(5) + 1
         } else {
             1
         };
-        Rational::from((self.positive(12 * denominator as u32), denominator))
+        Rational::from((self.positive(12 * denominator), denominator))
     }
 
     pub fn point(&mut self) -> Point<Exact> {
@@ -89,7 +90,7 @@ impl Draw {
 
     /// The tangent of half of an angle.
     pub fn half(&mut self) -> Rational {
-        let place = self.below(HALVES.len() as u32) as usize;
+        let place = count::from_u32(self.below(count::to_u32(HALVES.len())));
         let (numerator, denominator) = HALVES.get(place).copied().unwrap_or((0, 1));
         Rational::from((numerator, denominator))
     }

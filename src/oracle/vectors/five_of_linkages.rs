@@ -198,6 +198,10 @@ fn inverted(draw: &mut Draw) -> Problem {
 
 /// A slider-crank by its joints: folded in turn over the line from the crank's pivot to the slider's
 /// joint, and over the perpendicular from the crank's pin to the line of the slide.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "five positions; a field of an object"
+)]
 fn slider_and_link(draw: &mut Draw) -> Problem {
     let (pivot, joints) = loop {
         let pivot = Number::complex(Number::zero(), Number::from(draw.integer(5)));

@@ -36,8 +36,9 @@ pub fn defects_of_form(corpus: &str, entry: &Entry, flags: &Map<String, Value>) 
     if !condition.is_null() && condition.as_f64().is_none_or(|value| value <= 0.0) {
         defects.push("the condition is neither null nor a positive number".to_owned());
     }
+    let own = &answer["answer"];
     for (name, expected) in [("id", &problem["id"]), ("problem", &problem["problem"])] {
-        if answer["answer"][name] != *expected {
+        if own[name] != *expected {
             defects.push(format!("the answer's field `{name}` is not the problem's"));
         }
     }

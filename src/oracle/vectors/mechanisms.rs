@@ -78,6 +78,7 @@ fn ray(draw: &mut Draw, round: usize) -> Value {
     }
 }
 
+#[expect(clippy::indexing_slicing, reason = "a place modulo the length")]
 pub fn slider_cranks(draw: &mut Draw) -> Vec<Problem> {
     let mut problems = Vec::new();
     for round in 0..160 {
@@ -102,6 +103,7 @@ pub fn slider_cranks(draw: &mut Draw) -> Vec<Problem> {
 }
 
 /// Linkages in one position.
+#[expect(clippy::indexing_slicing, reason = "a place modulo the length")]
 pub fn curvature(draw: &mut Draw) -> Vec<Problem> {
     let mut problems = Vec::new();
     while problems.len() < 120 {

@@ -17,9 +17,10 @@ const PATTERNS: [&[usize]; 6] = [
 ];
 
 pub fn positions(draw: &mut Draw) -> Vec<Problem> {
-    (0..150)
-        .map(|place| {
-            let pattern = PATTERNS[place % PATTERNS.len()];
+    let patterns = PATTERNS.into_iter().cycle();
+    patterns
+        .take(150)
+        .map(|pattern| {
             let positions: Vec<Value> = pattern.iter().map(|size| group(draw, *size)).collect();
             let name = pattern.iter().map(|size| "P".repeat(*size));
             let kind = name.collect::<Vec<_>>().join("-");
@@ -30,6 +31,7 @@ pub fn positions(draw: &mut Draw) -> Vec<Problem> {
 }
 
 /// A position with as many derivatives as more positions have come together in it.
+#[expect(clippy::indexing_slicing, reason = "a field of an object")]
 fn group(draw: &mut Draw, size: usize) -> Value {
     let (x, y) = (draw.number(), draw.number());
     let derivatives = (1..size).map(|order| {

@@ -7,6 +7,7 @@ use super::degenerate;
 use super::draw::{Draw, turn};
 use super::pose::{self, Position, tenth};
 use super::{Corpus, Problem};
+use crate::number::count;
 use crate::number::text::parse_rational;
 use crate::number::{Exact, Number};
 use crate::plane::Point;
@@ -26,7 +27,7 @@ pub fn five_positions(draw: &mut Draw) -> Vec<Problem> {
     }
     for (place, (name, positions)) in bases().iter().enumerate() {
         for distance in DISTANCES {
-            let turned = (place + distance as usize).is_multiple_of(2);
+            let turned = (place + count::from_u32(distance)).is_multiple_of(2);
             problems.push(disturbed(
                 draw,
                 "five-positions",
@@ -49,7 +50,7 @@ pub fn four_positions(draw: &mut Draw) -> Vec<Problem> {
     }
     for (place, (name, positions)) in degenerate::FOUR.iter().enumerate() {
         for distance in DISTANCES {
-            let turned = (place + distance as usize).is_multiple_of(2);
+            let turned = (place + count::from_u32(distance)).is_multiple_of(2);
             problems.push(disturbed(
                 draw,
                 "centerpoint-curve",
@@ -70,11 +71,11 @@ fn bases() -> Vec<(String, Vec<Position>)> {
     let problems = problems.filter_map(|line| serde_json::from_str::<Value>(&line).ok());
     problems
         .filter_map(|problem| {
-            let name = problem["id"].as_str()?.rsplit('/').next()?.to_owned();
-            let positions: Option<Vec<Position>> =
-                problem["positions"].as_array()?.iter().map(read).collect();
+            let name = problem.get("id")?.as_str()?.rsplit('/').next()?.to_owned();
+            let listed = problem.get("positions")?;
+            let positions: Option<Vec<Position>> = listed.as_array()?.iter().map(read).collect();
             // Cosines and sines of too many digits would only make the file longer.
-            let is_short = problem["positions"].to_string().len() < 600;
+            let is_short = listed.to_string().len() < 600;
             is_short.then_some((name, positions?))
         })
         .collect()
@@ -119,12 +120,12 @@ fn small_turn(draw: &mut Draw, size: &Rational) -> Point<Exact> {
 /// Positions that all lie near one, which turn and move little: nearly the infinitesimal case.
 fn close_positions(draw: &mut Draw, count: usize, distance: u32) -> Problem {
     let size = tenth(distance);
-    let mut positions = vec![Displacement {
+    let first = Displacement {
         rotation: draw.turn(),
         translation: draw.point(),
-    }];
+    };
+    let mut positions = vec![first.clone()];
     for _ in 1..count {
-        let first = &positions[0];
         positions.push(Displacement {
             rotation: &first.rotation * small_turn(draw, &size),
             translation: &first.translation + small(draw, &size),
@@ -151,6 +152,7 @@ fn close_angles(draw: &mut Draw, count: usize, distance: u32) -> Problem {
 }
 
 /// The last position is nearly the first.
+#[expect(clippy::indexing_slicing, reason = "there are at least two positions")]
 fn nearly_equal(draw: &mut Draw, count: usize, distance: u32) -> Problem {
     let size = tenth(distance);
     let turns = draw.turns(count - 1);

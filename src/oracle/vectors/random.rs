@@ -25,6 +25,10 @@ fn points(draw: &mut Draw, count: u32) -> Vec<Value> {
     (0..count).map(|_| pose::point(&draw.point())).collect()
 }
 
+#[expect(
+    clippy::indexing_slicing,
+    reason = "at least two positions; a field of an object"
+)]
 pub fn poles(draw: &mut Draw) -> Vec<Problem> {
     let problem = |place: usize, draw: &mut Draw| {
         let count = 2 + place % 8;

@@ -1,11 +1,11 @@
 //! Positions that are not given by rational cosines and sines.
 
-use rug::Rational;
 use serde_json::{Value, json};
 
 use super::Problem;
 use super::draw::Draw;
 use super::pose;
+use crate::number::count;
 use crate::number::{Exact, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -27,9 +27,9 @@ fn problem(draw: &mut Draw, positions: &[Value], kind: &str, flag: &'static str)
 
 pub fn in_degrees(draw: &mut Draw) -> Vec<Problem> {
     let mut problems = Vec::new();
-    for round in 0..42 {
+    let kinds = ["degrees", "tenths of degrees", "radians"];
+    for kind in kinds.into_iter().cycle().take(42) {
         for count in [3, 4, 5] {
-            let kind = ["degrees", "tenths of degrees", "radians"][round % 3];
             let positions: Vec<Value> = (0..count)
                 .map(|_| {
                     let angle = match kind {
@@ -70,7 +70,10 @@ fn decimal(integer: i64, digits: u32) -> String {
     let unit = 10_i64.pow(digits);
     let sign = if integer < 0 { "-" } else { "" };
     let (whole, rest) = (integer.abs() / unit, integer.abs() % unit);
-    format!("{sign}{whole}.{rest:0width$}", width = digits as usize)
+    format!(
+        "{sign}{whole}.{rest:0width$}",
+        width = count::from_u32(digits)
+    )
 }
 
 pub fn by_two_points(draw: &mut Draw) -> Vec<Problem> {
@@ -117,7 +120,7 @@ fn given(draw: &mut Draw, ends: &[Point<Exact>; 2], fitted: bool) -> Value {
         let thousandths = (x * 1000).0.rational().cloned().unwrap_or_default();
         let (_, rounded) = thousandths.fract_round(rug::Integer::new());
         let rounded = rounded + draw.integer(2);
-        decimal(Rational::from(rounded).to_f64() as i64, 3)
+        decimal(rounded.to_i64().unwrap_or_default(), 3)
     };
     let points = ends
         .each_ref()

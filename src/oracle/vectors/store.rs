@@ -76,7 +76,7 @@ impl Folder {
         let pairs = problems.into_iter().zip(answers).enumerate();
         pairs
             .map(|(place, (problem, answer))| {
-                let (expected, found) = (&problem["id"], &answer["id"]);
+                let [expected, found] = [&problem, &answer].map(|line| &line["id"]);
                 if expected != found {
                     let message = format!("line {}: {found} where {expected} was due", place + 1);
                     return Err(form(&path, message));

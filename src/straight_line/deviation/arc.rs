@@ -202,8 +202,9 @@ impl Arcs {
 
     /// The end on one side, by a search of all angles.
     fn searched(&self, bound: &Number<Ball>, side: i64) -> Option<Limit> {
-        let outer = self.outer[usize::from(side > 0)].get_or_init(|| self.outer(side));
-        let outer = outer.as_ref()?;
+        let [backward, forward] = &self.outer;
+        let outer = if side > 0 { forward } else { backward };
+        let outer = outer.get_or_init(|| self.outer(side)).as_ref()?;
         let square: Dual = bound.square().into();
         let excess = |degrees: &Dual| {
             self.moving(&(side * degrees), |driven, position| {
@@ -394,6 +395,10 @@ impl Arcs {
     /// and at B. That at A belongs to the distance O_aB, which is stationary where O_bB is in line with
     /// the base, and where O_bB stands still; that at B belongs to O_bA, stationary where O_aA is in
     /// line with the base. `None` where they are not decided.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the pins and pivots are numbered 0 and 1"
+    )]
     pub fn transmission_extremes(&self, arc: &[Limit; 2]) -> Option<[Vec<Position<Ball>>; 2]> {
         let [o_a, o_b] = self.dual.pivots();
         let base = o_b - o_a;

@@ -51,8 +51,9 @@ impl Closed<Ball> {
         ] {
             let inside = |is_forward: bool| {
                 let way = self.way_to(at.clone(), is_forward, bits)?;
-                let end = &arc[usize::from(is_forward)].degrees;
-                Some(way.compare(&end.abs())?.is_lt())
+                let [backward, forward] = arc;
+                let end = if is_forward { forward } else { backward };
+                Some(way.compare(&end.degrees.abs())?.is_lt())
             };
             if inside(true)? || inside(false)? {
                 distances.push(distance);

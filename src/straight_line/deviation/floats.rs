@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 
 use super::arc::End;
 use super::closed::Closed;
+use crate::number::count;
 use crate::number::{Complex, Number};
 
 /// Half a unit in the last place of 1.
@@ -12,14 +13,15 @@ const ROUNDING: f64 = f64::EPSILON / 2.0;
 /// In radians.
 const STEP: f64 = 0.5 * std::f64::consts::PI / 180.0;
 /// Steps of a whole turn and a little more.
-const STEPS: usize = 722;
+const STEPS: u32 = 722;
 /// Secants are enough long before.
 const MOST_SECANTS: usize = 200;
 
 /// Cosines and sines of the whole degrees from 0 to 359.
 pub fn whole_degrees() -> &'static [[f64; 360]; 2] {
     static TABLE: LazyLock<[[f64; 360]; 2]> = LazyLock::new(|| {
-        let radians: [f64; 360] = std::array::from_fn(|degrees| (degrees as f64).to_radians());
+        let radians: [f64; 360] =
+            std::array::from_fn(|degrees| count::to_f64(degrees).to_radians());
         [radians.map(f64::cos), radians.map(f64::sin)]
     });
     &TABLE
@@ -163,7 +165,7 @@ impl Side<'_> {
         let mut here = self.sample(0.0);
         let going = here.slopes[0];
         for step in 1..=STEPS {
-            let mut next = self.sample(step as f64 * STEP);
+            let mut next = self.sample(f64::from(step) * STEP);
             let is_last = dead.filter(|dead| *dead <= next.at);
             if let Some(dead) = is_last {
                 next = self.sample_dead(dead);

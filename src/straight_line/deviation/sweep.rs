@@ -10,6 +10,7 @@ use std::sync::LazyLock;
 use rug::Rational;
 
 use super::closed::{Closed, Slopes};
+use crate::number::count;
 use crate::number::{Interval, Number, Real};
 use crate::plane::Point;
 
@@ -20,6 +21,10 @@ const LONGEST: u32 = 8;
 /// Halvings down to the finest step.
 const FINEST: usize = 34;
 /// A whole turn in finest steps.
+#[expect(
+    clippy::as_conversions,
+    reason = "`From` is not for constants; more bits hold all that fewer hold"
+)]
 const TURN: u64 = 360 / LONGEST as u64 * (1 << FINEST);
 /// Steps after which it is given up.
 const MOST_STEPS: usize = 100_000;
@@ -29,7 +34,7 @@ const AHEAD: usize = 18;
 /// e^{iφ} for all steps.
 static TURNS: LazyLock<Vec<Point<Interval>>> = LazyLock::new(|| {
     let turn = |halvings: usize| {
-        let degrees = Rational::from(LONGEST) >> halvings as u32;
+        let degrees = Rational::from(LONGEST) >> count::to_u32(halvings);
         let known = Interval::cos_sin_of_degrees(&degrees, &());
         let (cos, sin) = known.unwrap_or((Interval::UNIT, Interval::UNIT));
         Number::complex(Number(cos), Number(sin))
@@ -116,6 +121,10 @@ impl Sweep<'_> {
         }
     }
 
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "no step is halved more often than the finest"
+    )]
     fn after(&self, here: &Here, halvings: usize) -> Here {
         let step = &TURNS[halvings];
         let turn = if self.is_forward {
@@ -129,7 +138,9 @@ impl Sweep<'_> {
     /// Between two angles. A function whose second derivative is at most s differs from its chord by at
     /// most s h²/8.
     fn stretch(&self, from: &Here, to: &Here, halvings: usize) -> Stretch {
-        let length = f64::from(LONGEST).to_radians() * 0.5f64.powi(halvings as i32) * 1.000_001;
+        let length = f64::from(LONGEST).to_radians()
+            * 0.5f64.powi(i32::try_from(halvings).unwrap_or(i32::MAX))
+            * 1.000_001;
         let bulge = length * length / 8.0 * 1.000_001;
         let over = |a: &Real64, b: &Real64, second: f64| Number(a.0.hull(&b.0).widened(second));
         let turn = Number::complex(
@@ -207,8 +218,8 @@ impl Sweep<'_> {
     }
 }
 
+#[expect(clippy::as_conversions, reason = "exact: fewer than 53 bits")]
 fn degrees(at: u64) -> f64 {
-    // Exact: fewer than 53 bits.
     at as f64 * f64::from(LONGEST) / (1u64 << FINEST) as f64
 }
 
