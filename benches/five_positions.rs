@@ -44,7 +44,7 @@ fn main() {
         let solve = |five: &Five<Exact>| points(five, bits);
         println!(
             "{digits} {:.7}",
-            median(&problems[..count.min(problems.len())], solve)
+            median(problems.get(..count).unwrap_or(&problems), solve)
         );
     }
     let rounded: Vec<Five<f64>> = problems.iter().map(in_floats).collect();
@@ -68,7 +68,7 @@ fn median<P, A>(problems: &[P], solve: impl Fn(&P) -> A) -> f64 {
         })
         .collect();
     seconds.sort_by(f64::total_cmp);
-    seconds[seconds.len() / 2]
+    seconds.get(seconds.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 type Points = (Vec<[Point<Ball>; 2]>, Vec<[Number<Complex<Ball>>; 4]>);
@@ -125,14 +125,17 @@ fn report_errors(problems: &[Five<Exact>], rounded: &[Five<f64>]) {
         }
     }
     errors.sort_by(f64::total_cmp);
-    let at = |share: f64| errors[((errors.len() - 1) as f64 * share) as usize];
+    let at = |hundredths: usize| {
+        let place = errors.len().saturating_sub(1) * hundredths / 100;
+        errors.get(place).copied().unwrap_or(f64::NAN)
+    };
     println!(
         "# relative errors of {} real pairs in f64: median {:.1e}, 99 of 100 below {:.1e}, worst {:.1e}; \
          {missed} missed",
         errors.len(),
-        at(0.5),
-        at(0.99),
-        at(1.0)
+        at(50),
+        at(99),
+        at(100)
     );
 }
 

@@ -62,6 +62,10 @@ fn solver(positions: &[Position; 5]) -> Vec<Pair> {
 }
 
 /// Solves J s = −F for F_i = |D_i z − M|² − |D_1 z − M|², i = 2 to 5, by elimination.
+#[expect(
+    clippy::indexing_slicing,
+    reason = "five positions; four rows of five entries"
+)]
 fn newton_step(positions: &[Position; 5], [x, y, u, v]: &[f64; 4]) -> Option<[f64; 4]> {
     // |D z − M|² and its derivatives.
     let square = |position: &Position| {

@@ -29,8 +29,10 @@ const ANGLE: [i64; 4] = [1, 1, -2, 2];
 /// # Errors
 /// None for this motion.
 pub fn distances() -> Result<Vec<(String, f64)>, ProblemError> {
-    let derivative = |j: usize| json!({"x": X[j], "y": Y[j], "angle": ANGLE[j]});
-    let derivatives = [0, 1, 2, 3].map(derivative);
+    let terms = X.iter().zip(Y).zip(ANGLE);
+    let derivatives: Vec<Value> = terms
+        .map(|((x, y), angle)| json!({"x": x, "y": y, "angle": angle}))
+        .collect();
     let limit = pairs(&json!({"problem": "mixed-positions", "positions": [
         {"x": 0, "y": 0, "angle": {"radians": 0}, "derivatives": derivatives},
     ]}))?;
@@ -57,12 +59,10 @@ pub fn distances() -> Result<Vec<(String, f64)>, ProblemError> {
 }
 
 /// Σ dₙ tⁿ/n! for t = step · 10^−zeros, as a fraction.
-fn taylor(derivatives: [i64; 4], step: i64, zeros: usize) -> String {
+fn taylor(derivatives: [i64; 4], step: i64, zeros: u32) -> String {
     // Over 24 · 10^(4 zeros).
     let [a, b, c, d] = derivatives.map(i128::from);
-    let (step, ten) = (i128::from(step), |power: usize| {
-        10i128.pow((power * zeros) as u32)
-    });
+    let (step, ten) = (i128::from(step), |power: u32| 10i128.pow(power * zeros));
     let sum = 24 * a * step * ten(3)
         + 12 * b * step.pow(2) * ten(2)
         + 4 * c * step.pow(3) * ten(1)
@@ -80,7 +80,8 @@ fn pairs(problem: &Value) -> Result<Vec<[f64; 4]>, ProblemError> {
             .and_then(|text| parse_rational(text).ok());
         number.map_or(f64::NAN, |number| number.to_f64())
     };
-    let list = answer["pairs"].as_array().into_iter().flatten();
+    let list = answer.get("pairs").and_then(Value::as_array);
+    let list = list.into_iter().flatten();
     let coordinates = list.map(|pair| {
         let (z, m) = (&pair["circlepoint"], &pair["center"]);
         [&z[0], &z[1], &m[0], &m[1]].map(float)

@@ -1,6 +1,8 @@
 //! The checker of answers accepts what is true and rejects what is damaged.
 #![expect(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     reason = "a test that cannot read what it tests has failed"
 )]
 

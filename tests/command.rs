@@ -1,6 +1,7 @@
 //! The command as a user meets it: right calls, and wrong ones.
 #![expect(
     clippy::unwrap_used,
+    clippy::as_conversions,
     reason = "a test that cannot run what it tests has failed"
 )]
 

@@ -2,6 +2,8 @@
 //! and of the planes; and its special values.
 #![allow(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

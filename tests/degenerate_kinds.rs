@@ -2,6 +2,7 @@
 //! against what is computed.
 #![expect(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     reason = "a test that cannot read what it tests has failed"
 )]
 

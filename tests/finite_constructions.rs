@@ -1,6 +1,7 @@
 //! Constructions of centerpoints and circlepoints for four positions.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

@@ -1,6 +1,7 @@
 //! Five positions: all Burmester pairs, none missing, none invented.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

@@ -1,6 +1,7 @@
 //! Five positions by independent routes: the conics, two circlepoint curves, loop closure.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

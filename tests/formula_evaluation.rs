@@ -1,6 +1,8 @@
 //! Evaluation of formulas: the same in every number kind, right for every construct, total.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
+    clippy::string_slice,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

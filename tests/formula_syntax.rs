@@ -1,6 +1,7 @@
 //! The syntax of formulas: reading, setting, mutants.
 #![allow(
     clippy::unwrap_used,
+    clippy::string_slice,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

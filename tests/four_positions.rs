@@ -1,6 +1,8 @@
 //! Four positions: the routes to both curves agree, and the curves are what they are said to be.
 #![allow(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     clippy::needless_range_loop,

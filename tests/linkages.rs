@@ -1,6 +1,7 @@
 //! Problems made from a real linkage always find it, and find nothing wrong with it.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

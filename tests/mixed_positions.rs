@@ -1,6 +1,8 @@
 //! Five positions of which some have come together.
 #![allow(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     clippy::panic,
     missing_docs,
     reason = "a test that cannot compute what it tests has failed"

@@ -1,6 +1,7 @@
 //! Linkages through positions, against their motion followed in small steps.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,
@@ -230,7 +231,7 @@ fn parameters(example: &Example, joints: &[Joint<Ball>; 2]) -> [f64; 2] {
             let [x, y] = float(normal);
             y.atan2(x)
         }
-        _ => unreachable!(),
+        (_, Joint::At(joint)) => panic!("{joint:?} in a turning block"),
     })
 }
 

@@ -1,6 +1,7 @@
 //! Polynomials with relations and their fractions, against the laws and by evaluation.
 #![allow(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

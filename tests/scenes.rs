@@ -1,6 +1,8 @@
 //! Scenes: what they bind, what they ask for, and that their mechanisms are what they say.
 #![allow(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     clippy::expect_used,
     clippy::panic,
     missing_docs,

@@ -3,6 +3,8 @@
 //! with a margin.
 #![expect(
     clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
     clippy::panic,
     reason = "a test that cannot compute what it tests has failed"
 )]

@@ -1,7 +1,12 @@
 //! Polynomials in one variable: arithmetic, exact decisions, certified roots.
 
-// Helpers of tests may panic as tests do.
-#![allow(clippy::unwrap_used, clippy::panic)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::as_conversions,
+    clippy::indexing_slicing,
+    clippy::panic,
+    reason = "helpers of tests may panic as tests do"
+)]
 
 #[path = "support/seed.rs"]
 mod seed;

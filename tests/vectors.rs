@@ -1,6 +1,7 @@
 //! The corpora of problems and answers: their form, and what they say, as far as a sample tells.
 #![expect(
     clippy::unwrap_used,
+    clippy::indexing_slicing,
     reason = "a test that cannot read what it tests has failed"
 )]
 

@@ -1,7 +1,6 @@
 //! A motion near one of its positions.
 
-use crate::number::count;
-use crate::number::{Kind, Number, Series};
+use crate::number::{Kind, Number, Series, count};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 

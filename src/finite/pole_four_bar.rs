@@ -8,8 +8,7 @@
 
 use super::pole_system::OfPairs;
 use crate::linkage::four_bar::third_corners;
-use crate::number::array;
-use crate::number::{Kind, Real};
+use crate::number::{Kind, Real, array};
 use crate::plane::displacement::Displacement;
 use crate::plane::projective::ProjectivePoint;
 use crate::plane::{Point, line, relation};

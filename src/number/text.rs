@@ -6,8 +6,7 @@ use rug::ops::Pow;
 use rug::{Integer, Rational};
 use thiserror::Error;
 
-use super::Kind;
-use super::count;
+use super::{Kind, count};
 
 /// Digits that a number may have at most, all its parts together.
 pub const MOST_DIGITS: usize = 100_000;

@@ -9,8 +9,7 @@
 
 use rug::Rational;
 
-use super::count;
-use super::{Ball, Number, Series};
+use super::{Ball, Number, Series, count};
 
 /// Bits while zeros are being separated.
 const BITS: u32 = 96;

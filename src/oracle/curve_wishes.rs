@@ -8,8 +8,7 @@ use crate::finite::positions::Positions;
 use crate::finite::stretches::congruent_pencils::Dyad;
 use crate::finite::stretches::wishes::{Beside, LeastTransmission, Wishes};
 use crate::linkage::passage::Drive;
-use crate::number::array;
-use crate::number::{Ball, Exact, Number};
+use crate::number::{Ball, Exact, Number, array};
 use crate::plane::region::Region;
 use crate::plane::{Point, relation};
 

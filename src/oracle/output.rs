@@ -3,9 +3,8 @@
 use rug::{Integer, Rational};
 use serde_json::{Value, json};
 
-use crate::number::count;
 use crate::number::text::parse_rational;
-use crate::number::{Ball, Number, Surd};
+use crate::number::{Ball, Number, Surd, count};
 
 /// An exact rational number.
 pub fn exact(q: &Rational) -> Value {

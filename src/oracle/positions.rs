@@ -8,9 +8,8 @@ use super::numeral::Shown;
 use super::sharpen::{Attempt, sharpen};
 use super::{Arithmetic, ProblemError, Request};
 use crate::finite::positions::Positions;
-use crate::number::array;
 use crate::number::exact::rational_sqrt;
-use crate::number::{Ball, Elementary, Exact, Number, Real, Surd};
+use crate::number::{Ball, Elementary, Exact, Number, Real, Surd, array};
 use crate::plane::Point;
 use crate::plane::displacement::{Displacement, HalfTurn};
 

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use super::Point;
 use super::projective::{Line, ProjectivePoint};
-use crate::number::array;
-use crate::number::{Complex, Kind, Number, Real, Truth};
+use crate::number::{Complex, Kind, Number, Real, Truth, array};
 
 /// A quadratic form a x² + b xy + c y² + d xw + e yw + f w², as [a, b, c, d, e, f].
 type Form<K> = [Number<K>; 6];

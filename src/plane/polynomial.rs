@@ -1,8 +1,7 @@
 //! Polynomials in the coordinates x and y.
 
 use super::circular_cubic::Cubic;
-use crate::number::count;
-use crate::number::{Kind, Number, Truth};
+use crate::number::{Kind, Number, Truth, count};
 
 /// Σ cⱼₖ xʲ yᵏ, j + k at most the order.
 #[derive(Clone, Debug)]

@@ -4,8 +4,7 @@ use std::cmp::Ordering;
 
 use super::isotropic::Polynomial;
 use super::{Point, relation};
-use crate::number::array;
-use crate::number::{Kind, Number, Real, Truth};
+use crate::number::{Kind, Number, Real, Truth, array};
 
 /// How often the closed polygon goes round a point, counterclockwise; `None` where the point lies on
 /// a side, or where this cannot be told.

@@ -8,8 +8,7 @@ use std::cmp::Ordering;
 
 use super::Point;
 use super::circular_cubic::Cubic;
-use crate::number::array;
-use crate::number::{Kind, Number, Polynomial, Real, Truth};
+use crate::number::{Kind, Number, Polynomial, Real, Truth, array};
 
 /// The lines through a point of a cubic, with the directions a + p b, b itself for p = ∞.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! Seeds and sizes of the randomised tests.
+#![allow(dead_code, reason = "each test file uses a part of it")]
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 /// The generator of a test; its seed is `BURMESTER_SEED` where set, and is logged.
-#[allow(dead_code, reason = "not every test draws from it")]
 pub fn generator(test: &str) -> ChaCha8Rng {
     let seed = std::env::var("BURMESTER_SEED")
         .ok()
@@ -15,7 +15,6 @@ pub fn generator(test: &str) -> ChaCha8Rng {
 }
 
 /// `usual`, a hundred times as many where `BURMESTER_LONG` is 1.
-#[allow(dead_code, reason = "not every test counts rounds")]
 pub fn rounds(usual: usize) -> usize {
     if std::env::var("BURMESTER_LONG").is_ok_and(|value| value == "1") {
         100 * usual

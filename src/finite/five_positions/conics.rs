@@ -4,11 +4,10 @@ use rug::{Integer, Rational};
 
 use super::chart::{Chart, MeetOnLine, Meets};
 use super::conditions::{Coordinates, finite_pair, rows};
-use crate::number::array;
 use crate::number::exact::primitive;
 use crate::number::linear::{determinant, integer_kernel};
 use crate::number::univariate::{ComplexRoot, Polynomial, RealRoot, isolate, surds};
-use crate::number::{Ball, Complex, Exact, Kind, Number, Surd};
+use crate::number::{Ball, Complex, Exact, Kind, Number, Surd, array};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 

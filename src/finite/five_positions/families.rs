@@ -9,9 +9,8 @@
 use std::cmp::Ordering;
 
 use super::conditions::Coordinates;
-use crate::number::array;
 use crate::number::linear::{kernel, rank};
-use crate::number::{Exact, Number, Truth};
+use crate::number::{Exact, Number, Truth, array};
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::common_part::common_part;

@@ -1,7 +1,6 @@
 //! The judge of a Burmester pair: an interval test on the circle conditions themselves.
 
-use crate::number::array;
-use crate::number::{Ball, Kind, Number};
+use crate::number::{Ball, Kind, Number, array};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 

@@ -18,9 +18,8 @@ use std::cmp::Ordering;
 
 use crate::finite::four_positions::viewing_angles;
 use crate::finite::positions::Positions;
-use crate::number::array;
 use crate::number::exact::{primitive, rational_sqrt};
-use crate::number::{Exact, Kind, Number, Polynomial, Radical, Real, Truth};
+use crate::number::{Exact, Kind, Number, Polynomial, Radical, Real, Truth, array};
 use crate::plane::curve_type::{CurveType, curve_type};
 use crate::plane::displacement::Displacement;
 use crate::plane::focal_cubic::FocalCubic;

@@ -14,8 +14,7 @@ mod double_points;
 pub use double_points::Crossing;
 
 use super::cognates::CouplerPoint;
-use crate::number::array;
-use crate::number::{Kind, Number};
+use crate::number::{Kind, Number, array};
 use crate::plane::circle::Circle;
 use crate::plane::polynomial::Polynomial;
 use crate::plane::{Point, relation};

@@ -560,14 +560,15 @@ mod tests {
         };
         let mut sums: BTreeMap<Monomial, Coefficient> = BTreeMap::new();
         for _ in 0..count {
-            let powers = [0, 9, 31].map(|i| Monomial::power(i, next(9) as u8).unwrap());
+            let powers =
+                [0, 9, 31].map(|i| Monomial::power(i, u8::try_from(next(9)).unwrap()).unwrap());
             let monomial = powers
                 .iter()
                 .fold(Monomial::ONE, |m, power| m.times(power).unwrap());
             let scale = Coefficient::Small(if large { i64::MAX } else { 1 });
             sums.insert(
                 monomial,
-                Coefficient::Small(next(200) as i64 - 100).mul(&scale),
+                Coefficient::Small(i64::try_from(next(200)).unwrap() - 100).mul(&scale),
             );
         }
         sums.into_iter()

@@ -9,8 +9,7 @@ use super::factor::{Factor, log2_above, log2_below};
 use super::point::Point;
 use super::polish;
 use super::proof::{FEW_BITS, half, root_within, sharpened};
-use crate::number::count;
-use crate::number::{Ball, Complex, Number, Real};
+use crate::number::{Ball, Complex, Number, Real, count};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
 const GUARD_BITS: u32 = 64;

@@ -7,8 +7,7 @@ use super::aberth::Approximations;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::polish;
-use crate::number::count;
-use crate::number::{Ball, Complex, Exact, Number};
+use crate::number::{Ball, Complex, Exact, Number, count};
 
 /// Bits of the first proposals.
 const FIRST_BITS: u32 = 72;

@@ -6,8 +6,7 @@ use rug::Rational;
 
 use super::integer::IntegerPolynomial;
 use super::{Polynomial, SturmSequence, chain, square_free, sturm};
-use crate::number::count;
-use crate::number::{Exact, Number};
+use crate::number::{Exact, Number, count};
 
 /// Where a coefficient has no value, these have none either.
 impl Polynomial<Exact> {

@@ -12,8 +12,7 @@ use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::real_root::RealRoot;
 use super::{Polynomial, RootError, chain, square_free};
-use crate::number::count;
-use crate::number::{Ball, Complex, Exact, Number};
+use crate::number::{Ball, Complex, Exact, Number, count};
 
 /// More bits than this are not tried to tell complex roots apart.
 const MOST_BITS: u32 = 1 << 20;

@@ -6,8 +6,7 @@
 
 use rug::Rational;
 
-use crate::number::array;
-use crate::number::{Ball, Complex, Exact, Kind, Number};
+use crate::number::{Ball, Complex, Exact, Kind, Number, array};
 use crate::oracle::positions::Given;
 use crate::plane::displacement::Displacement;
 

@@ -15,9 +15,8 @@ use super::known::{Known, vanish};
 use super::rest::Rest;
 use super::shown::{decided, point};
 use super::{Defect, require};
-use crate::number::array;
 use crate::number::univariate::Polynomial;
-use crate::number::{Number, Truth};
+use crate::number::{Number, Truth, array};
 
 /// The coefficients of x³, x²y, xy², y³, x², xy, y², x, y, 1.
 pub struct Curve<'a, K>(pub &'a [Number<K>; 10]);

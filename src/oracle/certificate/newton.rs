@@ -3,8 +3,7 @@
 use rug::Rational;
 
 use super::conditions::{Conditions, Pair};
-use crate::number::array;
-use crate::number::{Ball, Complex, Number};
+use crate::number::{Ball, Complex, Number, array};
 
 type Entry = Number<Complex<Ball>>;
 /// x, y of the circlepoint, X, Y of the center.

@@ -11,8 +11,7 @@ use super::geometry::Sheet;
 use super::newton::{self, Vector};
 use super::shown::{Coordinate, Shown, list, point};
 use super::{Defect, require};
-use crate::number::{Exact, Number};
-use crate::number::{array, count};
+use crate::number::{Exact, Number, array, count};
 use crate::plane::Point;
 
 /// How often the precision is doubled before a pair is said to be none.

@@ -12,8 +12,7 @@ use super::rest::Rest;
 use super::shown::{decided, list};
 use super::{Defect, require};
 use crate::finite::positions::Positions;
-use crate::number::array;
-use crate::number::{Ball, Number};
+use crate::number::{Ball, Number, array};
 use crate::oracle::positions::Given;
 use crate::plane::{Point, relation};
 

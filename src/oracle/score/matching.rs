@@ -141,7 +141,7 @@ mod tests {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1);
-            (state >> 40) as f64 / (1u64 << 24) as f64
+            f64::from(u32::try_from(state >> 40).unwrap()) / f64::from(1_u32 << 24)
         };
         for _ in 0..300 {
             let costs: Vec<Vec<Option<f64>>> = (0..4)

@@ -11,9 +11,8 @@ use super::matching;
 use super::number::Known;
 use super::read::{Member, Misread, Part, Source, Stated, Statements, read};
 use super::shape::{self, Shape};
-use crate::number::count;
 use crate::number::text::parse_rational;
-use crate::number::{Ball, Number};
+use crate::number::{Ball, Number, count};
 
 /// What is known for certain about a problem.
 #[derive(Clone, Debug)]

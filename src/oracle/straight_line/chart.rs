@@ -5,9 +5,8 @@ use rug::Rational;
 
 use super::deviation::crank;
 use super::writer::passage;
-use crate::number::count;
 use crate::number::text::round_to_decimals;
-use crate::number::{Ball, Number, Real, Surd};
+use crate::number::{Ball, Number, Real, Surd, count};
 use crate::oracle::linkages::words;
 use crate::plane::Angle;
 use crate::straight_line::ball_burmester::{Alternate, double};

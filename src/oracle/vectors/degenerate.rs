@@ -5,8 +5,7 @@ use serde_json::{Value, json};
 use super::Problem;
 use super::draw::turn;
 use super::pose::{self, Position, at};
-use crate::number::Exact;
-use crate::number::array;
+use crate::number::{Exact, array};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Point, line};
 

@@ -4,8 +4,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
 use rug::Rational;
 
-use crate::number::count;
-use crate::number::{Exact, Number};
+use crate::number::{Exact, Number, count};
 use crate::plane::{Angle, Point};
 
 /// Tangents of half angles; those of the first are cosines and sines with small denominators.

@@ -7,9 +7,8 @@ use super::degenerate;
 use super::draw::{Draw, turn};
 use super::pose::{self, Position, tenth};
 use super::{Corpus, Problem};
-use crate::number::count;
 use crate::number::text::parse_rational;
-use crate::number::{Exact, Number};
+use crate::number::{Exact, Number, count};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 

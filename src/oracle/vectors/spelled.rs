@@ -5,8 +5,7 @@ use serde_json::{Value, json};
 use super::Problem;
 use super::draw::Draw;
 use super::pose;
-use crate::number::count;
-use crate::number::{Exact, Number};
+use crate::number::{Exact, Number, count};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 

@@ -3,8 +3,7 @@
 use super::positions::{Positions, free_poles};
 use crate::finite::pole_four_bar::{Joints, PoleFourBar};
 use crate::formula::Bindings;
-use crate::number::array;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, array};
 use crate::plane::projective::ProjectivePoint;
 use crate::plane::{Point, line};
 use crate::scenes::free::point;

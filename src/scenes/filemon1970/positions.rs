@@ -2,8 +2,7 @@
 
 use crate::finite::pole_system::{OfPairs, PAIRS};
 use crate::formula::Bindings;
-use crate::number::array;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, array};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Angle, Point};
 use crate::scenes::free::point;

@@ -1,8 +1,7 @@
 //! Numbers of tangents from points of the centerpoint curve.
 
 use crate::formula::Bindings;
-use crate::number::count;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, count};
 use crate::plane::Point;
 use crate::plane::circular_cubic::Cubic;
 use crate::plane::tangents::{Count, Pencil};

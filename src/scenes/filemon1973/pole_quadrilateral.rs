@@ -1,8 +1,7 @@
 //! The pole quadrilateral O₁₄O₁₂O₂₃O₃₄ of four positions and its sides.
 
 use crate::formula::Bindings;
-use crate::number::array;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, array};
 use crate::plane::displacement::Displacement;
 use crate::plane::{Point, relation};
 use crate::scenes::scene::scene;

@@ -1,8 +1,7 @@
 //! Three positions: the turns of the crank are free.
 
 use crate::formula::Bindings;
-use crate::number::Real;
-use crate::number::array;
+use crate::number::{Real, array};
 use crate::plane::displacement::Displacement;
 use crate::scenes::free::point;
 use crate::scenes::scene::scene;

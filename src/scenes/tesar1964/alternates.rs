@@ -5,8 +5,7 @@ use super::pole_frame::{Pair, fourth_tangent, inflection_point, pair_on_ray, wit
 use crate::curvature::closure;
 use crate::curvature::contact::Guide;
 use crate::curvature::motion::Motion;
-use crate::number::{Exact, Number, Truth};
-use crate::number::{array, count};
+use crate::number::{Exact, Number, Truth, array, count};
 use crate::plane::{Angle, Point};
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::Random;

@@ -1,8 +1,7 @@
 //! Chapter VI: a four-bar drawn beside pole tangent and pole normal.
 
 use crate::formula::Bindings;
-use crate::number::count;
-use crate::number::{Number, Real};
+use crate::number::{Number, Real, count};
 use crate::plane::{Angle, Point, relation};
 use crate::scenes::free::point;
 use crate::scenes::scene::scene;

@@ -2,8 +2,7 @@
 
 use crate::finite::five_positions::conics::{Isolated, Pairs, pairs};
 use crate::finite::five_positions::krawczyk::holds_one_pair;
-use crate::number::count;
-use crate::number::{Ball, Exact, Number, Truth};
+use crate::number::{Ball, Exact, Number, Truth, count};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 use crate::scenes::check::{Basis, Check, Report};

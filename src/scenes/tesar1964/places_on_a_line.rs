@@ -1,8 +1,7 @@
 //! Chapter III: what is said of points of the moving plane with several places on a line.
 
-use crate::number::count;
 use crate::number::poly::Fraction;
-use crate::number::{Exact, Kind, Number, Real, Truth, linear};
+use crate::number::{Exact, Kind, Number, Real, Truth, count, linear};
 use crate::plane::circle::Circle;
 use crate::plane::displacement::Displacement;
 use crate::plane::line::mirror;

@@ -1,8 +1,7 @@
 //! The focal curve is the locus of the foci of the inscribed conics.
 
-use crate::number::array;
 use crate::number::poly::Fraction;
-use crate::number::{Number, Truth};
+use crate::number::{Number, Truth, array};
 use crate::plane::{Angle, Point, line, quadrilateral, relation};
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::Symbols;

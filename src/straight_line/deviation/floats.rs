@@ -5,8 +5,7 @@ use std::sync::LazyLock;
 
 use super::arc::End;
 use super::closed::Closed;
-use crate::number::count;
-use crate::number::{Complex, Number};
+use crate::number::{Complex, Number, count};
 
 /// Half a unit in the last place of 1.
 const ROUNDING: f64 = f64::EPSILON / 2.0;

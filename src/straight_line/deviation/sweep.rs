@@ -10,8 +10,7 @@ use std::sync::LazyLock;
 use rug::Rational;
 
 use super::closed::{Closed, Slopes};
-use crate::number::count;
-use crate::number::{Interval, Number, Real};
+use crate::number::{Interval, Number, Real, count};
 use crate::plane::Point;
 
 type Real64 = Number<Interval>;

@@ -1,8 +1,7 @@
 //! The derivatives of the deviation over the travel.
 
 use super::drawn::{alternates, undecided};
-use crate::number::count;
-use crate::number::{Exact, Kind, Number, Real, Truth};
+use crate::number::{Exact, Kind, Number, Real, Truth, count};
 use crate::plane::Angle;
 use crate::scenes::check::{Basis, Check, Report};
 use crate::scenes::free::Random;

@@ -6,9 +6,8 @@ use rug::Rational;
 
 use super::drawn::{BITS, evans, undecided};
 use crate::linkage::cognates::CouplerPoint;
-use crate::number::array;
 use crate::number::zeros::zeros;
-use crate::number::{Ball, Kind, Number, Series, Truth};
+use crate::number::{Ball, Kind, Number, Series, Truth, array};
 use crate::plane::{Point, relation};
 use crate::scenes::Unbuilt;
 use crate::scenes::check::{Basis, Check, Report};
