@@ -4,7 +4,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::process::ExitCode;
 
-use burmester::ledger::{Cause, Judge, Judgement, Options, Paper, Proof, Statement, Verdict};
+use burmester::ledger::{
+    self, Cause, JudgeError, Judgement, Options, Paper, Proof, Statement, Verdict,
+};
 use serde_json::{Map, Value, json};
 
 use super::outcome::{Failure, print};
@@ -48,7 +50,18 @@ struct Decided<'a> {
     judgement: Judgement,
 }
 
-impl Decided<'_> {
+impl<'a> Decided<'a> {
+    fn of(
+        (statement, judgement): (&'a Statement, Result<Judgement, JudgeError>),
+    ) -> Result<Self, Failure> {
+        let judgement =
+            judgement.map_err(|error| Failure::wrong(format!("{}: {error}", statement.place())))?;
+        Ok(Decided {
+            statement,
+            judgement,
+        })
+    }
+
     fn is_as_expected(&self) -> bool {
         self.judgement.verdict == self.statement.expected
     }
@@ -66,24 +79,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let papers = chosen(arguments.data.papers()?, &arguments.sources)?;
     let total = papers.iter().map(|paper| paper.statements.len()).sum();
     let progress = Progress::of(total, "statements");
-    let mut judge = Judge::new(Options {
+    let options = Options {
         digits: usize::try_from(arguments.digits).unwrap_or(usize::MAX),
         mutants: arguments.mutants,
-    });
+    };
+    let judgements = ledger::judge_all(&papers, options, || progress.step());
     let mut decided = Vec::new();
-    for paper in &papers {
-        let mut of_paper = Vec::new();
-        for statement in &paper.statements {
-            let judgement = judge
-                .judge(statement)
-                .map_err(|error| Failure::wrong(format!("{}: {error}", statement.place())))?;
-            of_paper.push(Decided {
-                statement,
-                judgement,
-            });
-            progress.step();
-        }
-        decided.push((paper, of_paper));
+    for (paper, of_paper) in papers.iter().zip(judgements) {
+        let of_paper = paper.statements.iter().zip(of_paper);
+        let of_paper: Result<Vec<_>, _> = of_paper.map(Decided::of).collect();
+        decided.push((paper, of_paper?));
     }
     drop(progress);
     let text = match arguments.format {

@@ -7,6 +7,7 @@ mod error;
 mod example;
 mod formula;
 mod judge;
+mod judge_all;
 mod measured;
 mod mutation;
 mod number;
@@ -22,6 +23,7 @@ mod words;
 pub use error::JudgeError;
 pub use example::Example;
 pub use judge::{Judge, Options};
+pub use judge_all::judge_all;
 pub use mutation::MutantCounts;
 pub use paper::{
     Condition, Content, Paper, PaperError, Statement, built_in, read_folder, read_paper,

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashSet};
 use std::path::Path;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use serde::Deserialize;
 use thiserror::Error;
@@ -107,14 +107,14 @@ pub enum Content {
     /// A cell of a table.
     Cell {
         /// The table.
-        table: Rc<PrintedTable>,
+        table: Arc<PrintedTable>,
         /// The name of its row.
         row: String,
         /// The name of its column.
         column: String,
     },
     /// All cells of a table as one statement.
-    Table(Rc<PrintedTable>),
+    Table(Arc<PrintedTable>),
 }
 
 /// Under what a line holds that the text does not state.

@@ -1,6 +1,6 @@
 //! Reading a `[[table]]` of the data.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use serde::Deserialize;
 
@@ -65,7 +65,7 @@ impl RawTable {
         scene: &'static Scene,
         place: (&str, usize),
     ) -> Result<Vec<Statement>, String> {
-        let table = Rc::new(self.printed()?);
+        let table = Arc::new(self.printed()?);
         self.check_names(&table)?;
         let parts = if self.whole {
             vec![self.whole(&table)]
@@ -120,7 +120,7 @@ impl RawTable {
         }
     }
 
-    fn whole<'a>(&'a self, table: &Rc<PrintedTable>) -> Part<'a> {
+    fn whole<'a>(&'a self, table: &Arc<PrintedTable>) -> Part<'a> {
         Part {
             id: self.id.clone(),
             locus: self.locus.clone(),
@@ -131,7 +131,7 @@ impl RawTable {
         }
     }
 
-    fn cells<'a>(&'a self, table: &Rc<PrintedTable>) -> Vec<Part<'a>> {
+    fn cells<'a>(&'a self, table: &Arc<PrintedTable>) -> Vec<Part<'a>> {
         let places = self.rows.iter().flat_map(|row| {
             let cells = self.columns.iter().zip(&row.printed);
             cells.map(move |(column, printed)| (row, column, printed))
