@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use burmester::ledger::{Judge, Options, Paper};
+use burmester::ledger::{self, JudgeError, Judgement, Options, Paper, Statement};
 use burmester::report::site::{File, Source, site, steps};
 
 use super::outcome::{Failure, print};
@@ -27,8 +27,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         |path: &Path, error: io::Error| Failure::wrong(format!("{}: {error}", path.display()));
     // Before the work, not after it.
     fs::create_dir_all(folder).map_err(|error| unwritable(folder, error))?;
-    let papers =
-        burmester::ledger::built_in().map_err(|error| Failure::wrong(error.to_string()))?;
+    let papers = ledger::built_in().map_err(|error| Failure::wrong(error.to_string()))?;
     let sources = judged(&papers)?;
     let progress = Progress::of(steps(&sources), "parts of the site");
     let files =
@@ -59,22 +58,25 @@ fn write(path: &Path, file: &File) -> io::Result<()> {
 fn judged(papers: &[Paper]) -> Result<Vec<Source<'_>>, Failure> {
     let total = papers.iter().map(|paper| paper.statements.len()).sum();
     let progress = Progress::of(total, "statements");
-    let mut judge = Judge::new(Options {
+    let options = Options {
         digits: 30,
         mutants: false,
-    });
+    };
+    let judged = ledger::judge_all(papers, options, || progress.step());
     let mut sources = Vec::new();
-    for paper in papers {
-        let mut judgements = Vec::new();
-        for statement in &paper.statements {
-            let judgement = judge.judge(statement);
-            judgements.push(
-                judgement
-                    .map_err(|error| Failure::wrong(format!("{}: {error}", statement.place())))?,
-            );
-            progress.step();
-        }
-        sources.push(Source { paper, judgements });
+    for (paper, of_paper) in papers.iter().zip(judged) {
+        let place = |(place, judgement): (usize, Result<Judgement, JudgeError>)| {
+            let statement = paper.statements.get(place).map(Statement::place);
+            judgement.map_err(|error| {
+                Failure::wrong(format!("{}: {error}", statement.unwrap_or_default()))
+            })
+        };
+        let judgements: Result<Vec<Judgement>, Failure> =
+            of_paper.into_iter().enumerate().map(place).collect();
+        sources.push(Source {
+            paper,
+            judgements: judgements?,
+        });
     }
     Ok(sources)
 }

@@ -1,7 +1,7 @@
 //! The page of a source: its statements in the order of the print, with pictures beside them.
 
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use maud::{Markup, html};
 
@@ -124,7 +124,7 @@ fn capital(name: &str) -> String {
 enum Block<'a> {
     Article(Decided<'a>),
     Numbers(String, Vec<(String, Decided<'a>)>),
-    Grid(Rc<PrintedTable>, Vec<Decided<'a>>),
+    Grid(Arc<PrintedTable>, Vec<Decided<'a>>),
 }
 
 fn blocks<'a>(section: &Section<'a>) -> Vec<Block<'a>> {
@@ -133,12 +133,12 @@ fn blocks<'a>(section: &Section<'a>) -> Vec<Block<'a>> {
         let statement = decided.statement;
         match (&statement.content, blocks.last_mut()) {
             (Content::Cell { table, .. }, Some(Block::Grid(last, cells)))
-                if Rc::ptr_eq(table, last) =>
+                if Arc::ptr_eq(table, last) =>
             {
                 cells.push(*decided);
             }
             (Content::Cell { table, .. }, _) => {
-                blocks.push(Block::Grid(Rc::clone(table), vec![*decided]));
+                blocks.push(Block::Grid(Arc::clone(table), vec![*decided]));
             }
             _ if statement.kind == Kind::Number => {
                 let (heading, place) = heading_and_place(&statement.locus, &section.name);
