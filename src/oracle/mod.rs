@@ -30,6 +30,7 @@ use serde_json::{Map, Value, json};
 use thiserror::Error;
 
 use crate::plane::displacement::Displacement;
+use crate::straight_line::design::Design;
 
 /// What to compute with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -114,6 +115,15 @@ pub fn rays(problem: &Value) -> Result<[[f64; 2]; 2], ProblemError> {
         Ok([angle.cos().0, angle.sin().0])
     };
     Ok([ray("alpha_a")?, ray("alpha_d")?])
+}
+
+/// The linkage that a problem of the kind `deviation` is about, in floats: for pictures. `None` where there
+/// is no such linkage.
+///
+/// # Errors
+/// A problem without a design or without levels, or with wrong ones.
+pub fn design(problem: &Value) -> Result<Option<Design<f64>>, ProblemError> {
+    straight_line::deviation::design(&input::Fields::of(problem)?)
 }
 
 /// Solves one problem, given and answered as JSON.

@@ -2,6 +2,8 @@
 
 use std::fmt::Write;
 
+use super::labels::{Labels, name_svg};
+use super::moving;
 use crate::number::count;
 
 /// A point of the drawing.
@@ -68,6 +70,9 @@ enum Shape {
     Line(Vec<Point>, Stroke),
     Joint(Point, Joint, String),
     Area(Vec<Point>),
+    /// In the first of its places, and where it goes from there.
+    MovingLine(Vec<[Point; 2]>, Stroke),
+    MovingJoint(Vec<Point>, Joint, String),
 }
 
 /// A part of a page, as wide as the drawing.
@@ -86,6 +91,7 @@ pub struct Canvas {
     shapes: Vec<Shape>,
     legend: Vec<(Option<Stroke>, String)>,
     below: Block,
+    unit: Option<String>,
     low: Point,
     high: Point,
 }
@@ -93,6 +99,8 @@ pub struct Canvas {
 const WIDTH: f64 = 900.0;
 const MOST_HEIGHT: f64 = 900.0;
 const MARGIN: f64 = 50.0;
+/// Between the drawing and its legend.
+const BELOW: f64 = 26.0;
 const LINE_HEIGHT: f64 = 22.0;
 
 impl Canvas {
@@ -104,6 +112,7 @@ impl Canvas {
             shapes: Vec::new(),
             legend: Vec::new(),
             below: Block::default(),
+            unit: None,
             low: [f64::INFINITY; 2],
             high: [f64::NEG_INFINITY; 2],
         }
@@ -123,7 +132,7 @@ impl Canvas {
     pub fn window(&self) -> (Point, Point) {
         let [x0, y0] = self.low;
         let [x1, y1] = self.high;
-        let margin = 0.15 * (x1 - x0).max(y1 - y0).max(1e-9);
+        let margin = 0.1 * (x1 - x0).max(y1 - y0).max(1e-9);
         ([x0 - margin, y0 - margin], [x1 + margin, y1 + margin])
     }
 
@@ -155,6 +164,29 @@ impl Canvas {
         self.shapes.push(Shape::Joint(at, joint, name.to_owned()));
     }
 
+    /// A bar that goes through these places in turn; it begins in the first one and moves when it is told
+    /// to.
+    pub fn moving_line(&mut self, places: Vec<[Point; 2]>, stroke: Stroke) {
+        for point in places.iter().flatten() {
+            self.show(*point);
+        }
+        self.shapes.push(Shape::MovingLine(places, stroke));
+    }
+
+    /// A joint that goes through these places in turn, with its name.
+    pub fn moving_joint(&mut self, places: Vec<Point>, joint: Joint, name: &str) {
+        for point in &places {
+            self.show(*point);
+        }
+        self.shapes
+            .push(Shape::MovingJoint(places, joint, name.to_owned()));
+    }
+
+    /// What the unit of the coordinates is: a scale is drawn.
+    pub fn scale(&mut self, unit: &str) {
+        self.unit = Some(unit.to_owned());
+    }
+
     /// A line of the legend.
     pub fn explain(&mut self, stroke: Stroke, text: &str) {
         self.legend.push((Some(stroke), text.to_owned()));
@@ -175,7 +207,7 @@ impl Canvas {
         let ([x0, y0], [x1, y1]) = self.window();
         let scale =
             ((WIDTH - 2.0 * MARGIN) / (x1 - x0)).min((MOST_HEIGHT - 2.0 * MARGIN) / (y1 - y0));
-        let height = (y1 - y0) * scale + 2.0 * MARGIN;
+        let height = (y1 - y0) * scale + MARGIN + BELOW;
         let left = (WIDTH - (x1 - x0) * scale) / 2.0;
         let place = |[x, y]: Point| [left + (x - x0) * scale, MARGIN + (y1 - y) * scale];
         let below = height + LINE_HEIGHT * (count::to_f64(self.legend.len()) + 1.0);
@@ -213,21 +245,23 @@ impl Canvas {
             }
         }
         for shape in &self.shapes {
-            if let Shape::Line(points, stroke) = shape {
-                polyline(&mut svg, points.iter().map(|point| place(*point)), *stroke);
+            match shape {
+                Shape::Line(points, stroke) => {
+                    polyline(&mut svg, points.iter().map(|point| place(*point)), *stroke);
+                }
+                Shape::MovingLine(places, stroke) => {
+                    let places: Vec<[Point; 2]> =
+                        places.iter().map(|ends| ends.map(place)).collect();
+                    moving::line(&mut svg, &places, stroke.attributes());
+                }
+                Shape::Joint(..) | Shape::MovingJoint(..) | Shape::Area(_) => {}
             }
         }
         svg.push_str("</g>\n");
-        let joints: Vec<Point> = self.joints().map(|(at, ..)| place(at)).collect();
-        for (index, (at, joint, name)) in self.joints().enumerate() {
-            draw_joint(
-                &mut svg,
-                place(at),
-                joint,
-                name,
-                label_place(&joints, index),
-            );
+        if let Some(unit) = &self.unit {
+            scale_bar(&mut svg, unit, scale, [WIDTH - MARGIN, height + 6.0]);
         }
+        self.draw_joints(&mut svg, place);
         for (row, (stroke, text)) in self.legend.iter().enumerate() {
             let y = height + LINE_HEIGHT * (count::to_f64(row) + 0.5);
             if let Some(stroke) = stroke {
@@ -252,32 +286,83 @@ impl Canvas {
         svg
     }
 
+    fn draw_joints(&self, svg: &mut String, place: impl Fn(Point) -> Point) {
+        let joints: Vec<Point> = self.joints().map(|(at, ..)| place(at)).collect();
+        let mut labels = Labels::new(&joints, [0.0, WIDTH]);
+        for shape in &self.shapes {
+            match shape {
+                Shape::Line(points, _) => {
+                    let points: Vec<Point> = points.iter().map(|point| place(*point)).collect();
+                    labels.avoid(&points);
+                }
+                Shape::MovingLine(places, _) => {
+                    if let Some(ends) = places.first() {
+                        labels.avoid(&ends.map(&place));
+                    }
+                }
+                Shape::Joint(..) | Shape::MovingJoint(..) | Shape::Area(_) => {}
+            }
+        }
+        let fixed = self.joints().filter(|(_, joint, _)| *joint == Joint::Fixed);
+        for (at, ..) in fixed {
+            let [x, y] = place(at);
+            labels.avoid(&[[x, y], [x - 11.0, y + 18.0], [x + 11.0, y + 18.0], [x, y]]);
+        }
+        let names: Vec<Point> = self
+            .joints()
+            .zip(&joints)
+            .map(|((_, _, name), at)| labels.place(*at, name))
+            .collect();
+        for ((shape, at), label) in self.joint_shapes().zip(&joints).zip(names) {
+            match shape {
+                Shape::Joint(_, joint, name) => draw_joint(svg, *at, *joint, name, label),
+                Shape::MovingJoint(places, joint, name) => {
+                    svg.push_str("<g>");
+                    draw_joint(svg, *at, *joint, name, label);
+                    let places: Vec<Point> = places.iter().map(|point| place(*point)).collect();
+                    moving::joint(svg, &places);
+                    svg.push_str("</g>\n");
+                }
+                Shape::Line(..) | Shape::MovingLine(..) | Shape::Area(_) => {}
+            }
+        }
+    }
+
+    fn joint_shapes(&self) -> impl Iterator<Item = &Shape> {
+        self.shapes
+            .iter()
+            .filter(|shape| matches!(shape, Shape::Joint(..) | Shape::MovingJoint(..)))
+    }
+
     fn joints(&self) -> impl Iterator<Item = (Point, Joint, &str)> {
         self.shapes.iter().filter_map(|shape| match shape {
             Shape::Joint(at, joint, name) => Some((*at, *joint, name.as_str())),
-            Shape::Line(..) | Shape::Area(_) => None,
+            Shape::MovingJoint(places, joint, name) => {
+                let at = places.first().copied().unwrap_or_default();
+                Some((at, *joint, name.as_str()))
+            }
+            Shape::Line(..) | Shape::MovingLine(..) | Shape::Area(_) => None,
         })
     }
 }
 
-/// A place for a label: the one of eight around the joint that is farthest from all other joints.
-fn label_place(joints: &[Point], index: usize) -> Point {
-    let [x, y] = joints.get(index).copied().unwrap_or_default();
-    let mut best = ([x + 14.0, y - 12.0], f64::NEG_INFINITY);
-    for step in 0..8 {
-        let angle = f64::from(step) * std::f64::consts::FRAC_PI_4 + 0.4;
-        let place = [x + 20.0 * angle.cos(), y + 20.0 * angle.sin()];
-        let room = joints
-            .iter()
-            .enumerate()
-            .filter(|(other, _)| *other != index)
-            .map(|(_, [u, v])| (place[0] - u).hypot(place[1] - v))
-            .fold(200.0, f64::min);
-        if room > best.1 {
-            best = (place, room);
-        }
-    }
-    best.0
+/// A round length in the unit, as long as is easy to read, ending at this point.
+fn scale_bar(svg: &mut String, unit: &str, scale: f64, [right, y]: Point) {
+    let power = 10f64.powf((160.0 / scale).log10().floor());
+    let length = [5.0, 2.0, 1.0]
+        .map(|factor| factor * power)
+        .into_iter()
+        .find(|length| length * scale <= 160.0)
+        .unwrap_or(power);
+    let left = right - length * scale;
+    let _ = writeln!(
+        svg,
+        r##"<path d="M{left:.1} {:.1} v8 M{left:.1} {y:.1} H{right:.1} M{right:.1} {:.1} v8" fill="none" stroke="#263238" stroke-width="1.5"/><text x="{right:.1}" y="{:.1}" font-size="14" text-anchor="end" fill="#263238">{length} {}</text>"##,
+        y - 4.0,
+        y - 4.0,
+        y - 9.0,
+        escaped(unit)
+    );
 }
 
 fn polyline(svg: &mut String, points: impl Iterator<Item = Point>, stroke: Stroke) {
@@ -325,13 +410,16 @@ fn draw_joint(svg: &mut String, [x, y]: Point, joint: Joint, name: &str, [u, v]:
         }
     };
     let _ = writeln!(svg, r##"<circle cx="{x:.1}" cy="{y:.1}" {look}/>"##);
+    if name.is_empty() {
+        return;
+    }
     // The halo is a text of its own: not every viewer paints outlines below fillings.
     for halo in [r##"stroke="#ffffff" stroke-width="4""##, ""] {
         let _ = writeln!(
             svg,
             r##"<text x="{u:.1}" y="{:.1}" font-size="17" font-style="italic" text-anchor="middle" fill="#263238" {halo}>{}</text>"##,
             v + 6.0,
-            escaped(name)
+            name_svg(name)
         );
     }
 }

@@ -60,7 +60,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     }
     draw_quadrilateral(&mut canvas, answer, &all);
     for (name, at) in &all {
-        canvas.joint(*at, Joint::Mark, &format!("P{name}"));
+        canvas.joint(*at, Joint::Mark, &format!("P_{name}"));
     }
     if let Some(focus) = special("focus") {
         canvas.joint(focus, Joint::Moving, "F");

@@ -84,8 +84,8 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
             continue;
         }
         if let (Some(point), Some(center)) = (pair.circlepoint, pair.center) {
-            canvas.joint(center, Joint::Fixed, &format!("B{name}"));
-            canvas.joint(point, Joint::Moving, &format!("A{name}"));
+            canvas.joint(center, Joint::Fixed, &format!("B_{name}"));
+            canvas.joint(point, Joint::Moving, &format!("A_{name}"));
         }
     }
     let counts = match answer["ball_burmester"].as_str() {

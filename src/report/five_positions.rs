@@ -53,8 +53,8 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     }
     frames::draw(&mut canvas, &positions, size / 14.0);
     for (place, pair) in pairs.iter().enumerate().filter(shown) {
-        canvas.joint(pair.center, Joint::Fixed, &format!("B{}", place + 1));
-        canvas.joint(pair.circlepoint, Joint::Moving, &format!("A{}", place + 1));
+        canvas.joint(pair.center, Joint::Fixed, &format!("B_{}", place + 1));
+        canvas.joint(pair.circlepoint, Joint::Moving, &format!("A_{}", place + 1));
     }
     explain(&mut canvas, pairs.iter().any(near));
     for (place, pair) in pairs.iter().enumerate().filter(|(_, pair)| !near(pair)) {

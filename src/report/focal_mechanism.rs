@@ -2,8 +2,9 @@
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, Joint, Point, Stroke, spread};
+use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::{Z, point, z};
+use super::skeleton::{Posture, Skeleton, easiest, round_trip};
 use super::{contour, number};
 use crate::number::Number;
 
@@ -74,15 +75,97 @@ impl Mechanism {
         })
     }
 
-    fn sweep(&self, upwards: bool) -> Vec<Option<Position>> {
+    fn sweep(&self, upwards: bool) -> Vec<Option<Posture>> {
         (0..=720)
-            .map(|step| self.position(f64::from(step) * std::f64::consts::PI / 360.0, upwards))
+            .map(|step| {
+                let position =
+                    self.position(f64::from(step) * std::f64::consts::PI / 360.0, upwards);
+                position.map(|position| self.posture(&position))
+            })
             .collect()
+    }
+
+    /// All joints, in the order of the skeleton.
+    fn posture(&self, position: &Position) -> Posture {
+        let Position { f, p, q, a, b, t } = position;
+        let mut joints = vec![[0.0, 0.0], [self.d, 0.0], [self.s, 0.0]];
+        joints.extend([a, b, p, q, t, f].map(point));
+        joints
     }
 }
 
+const SKELETON: Skeleton = Skeleton {
+    joints: &[
+        (Joint::Fixed, "M"),
+        (Joint::Fixed, "N"),
+        (Joint::Fixed, "S"),
+        (Joint::Moving, "A"),
+        (Joint::Moving, "B"),
+        (Joint::Moving, "P"),
+        (Joint::Moving, "Q"),
+        (Joint::Moving, "T"),
+        (Joint::Moving, "F"),
+    ],
+    bars: &[
+        (0, 1, Stroke::Base),
+        (0, 3, Stroke::Bar),
+        (0, 5, Stroke::Bar),
+        (1, 4, Stroke::Bar),
+        (1, 6, Stroke::Bar),
+        (3, 4, Stroke::Bar),
+        (3, T, Stroke::Bar),
+        (5, F, Stroke::Bar),
+        (6, F, Stroke::Bar),
+        (T, F, Stroke::Bar),
+        (2, F, Stroke::Crank),
+    ],
+};
+const T: usize = 7;
+const F: usize = 8;
+
 /// The picture; `None` where no mechanism is real.
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
+    let sweep = chosen(problem, answer)?;
+    let shown = easiest(&sweep)?.clone();
+    let mut canvas = Canvas::new(
+        "Focal mechanism: a four-bar MABN driven by a crank SF",
+        "The four-bar MABN with the points P, Q, S, T on its sides joined to F, in one position; the \
+         path of the point T of the coupler, the circle of F about S, and the focal cubic of the \
+         quadrilateral MABN in this position, which passes through F.",
+    );
+    draw_paths(&mut canvas, &sweep);
+    for joint in shown.iter().take(5) {
+        canvas.show(*joint);
+    }
+    if let [_, n, _, a, b, ..] = shown.as_slice() {
+        let [n, a, b] = [n, a, b].map(|[x, y]| z(*x, *y));
+        for piece in contour::zero_set(focal_cubic(&n, &a, &b), canvas.window()) {
+            canvas.background(piece.to_vec(), Stroke::Curve);
+        }
+    }
+    SKELETON.draw(&mut canvas, &[shown]);
+    explain(&mut canvas);
+    canvas.explain(Stroke::Curve, "focal cubic of MABN in this position");
+    Some(canvas.to_svg())
+}
+
+/// The same mechanism, which goes through all of its positions when it is told to.
+pub fn moving_picture(problem: &Value, answer: &Value) -> Option<String> {
+    let sweep = chosen(problem, answer)?;
+    let mut canvas = Canvas::new(
+        "Focal mechanism: a four-bar MABN driven by a crank SF",
+        "The four-bar MABN with the points P, Q, S, T on its sides joined to F, the path of the point T \
+         of the coupler, and the circle of F about S. The mechanism can be set in motion: the crank turns, \
+         or rocks where it cannot turn, and all bars keep their lengths.",
+    );
+    draw_paths(&mut canvas, &sweep);
+    SKELETON.draw(&mut canvas, &round_trip(&sweep));
+    explain(&mut canvas);
+    Some(canvas.to_svg())
+}
+
+/// All positions of the mechanism that is shown, by its assemblies.
+fn chosen(problem: &Value, answer: &Value) -> Option<Vec<Vec<Option<Posture>>>> {
     let list = answer.get("mechanisms")?.as_array()?;
     let turning = list
         .iter()
@@ -95,84 +178,27 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     } else {
         &[true, false]
     };
-    let sweep: Vec<_> = assemblies
-        .iter()
-        .map(|upwards| mechanism.sweep(*upwards))
-        .collect();
-    let shown = sweep
-        .iter()
-        .flatten()
-        .flatten()
-        .max_by(|x, y| ease(&mechanism, x).total_cmp(&ease(&mechanism, y)))?;
-    Some(draw(&mechanism, &sweep, shown))
+    let rows = assemblies.iter();
+    Some(rows.map(|upwards| mechanism.sweep(*upwards)).collect())
 }
 
-/// How far apart the joints are in a position.
-fn ease(mechanism: &Mechanism, position: &Position) -> f64 {
-    let fixed = [[0.0, 0.0], [mechanism.d, 0.0], [mechanism.s, 0.0]];
-    let Position { f, p, q, a, b, t } = position;
-    let moving = [f, p, q, a, b, t].map(point);
-    spread(&[&fixed[..], &moving[..]].concat())
+fn draw_paths(canvas: &mut Canvas, sweep: &[Vec<Option<Posture>>]) {
+    for row in sweep {
+        for (joint, stroke) in [(T, Stroke::MainPath), (F, Stroke::Path)] {
+            let at = |posture: &Option<Posture>| {
+                let place = posture.as_ref().and_then(|posture| posture.get(joint));
+                place.copied().unwrap_or([f64::NAN; 2])
+            };
+            canvas.line(row.iter().map(at), stroke);
+        }
+    }
 }
 
-fn draw(mechanism: &Mechanism, sweep: &[Vec<Option<Position>>], shown: &Position) -> String {
-    let mut canvas = Canvas::new(
-        "Focal mechanism: a four-bar MABN driven by a crank SF",
-        "The four-bar MABN with the points P, Q, S, T on its sides joined to F, in one position; the \
-         path of the point T of the coupler, the circle of F about S, and the focal cubic of the \
-         quadrilateral MABN in this position, which passes through F.",
-    );
-    let (m, n, s) = (z(0.0, 0.0), z(mechanism.d, 0.0), z(mechanism.s, 0.0));
-    for half in sweep {
-        let path = |of: fn(&Position) -> &Z| {
-            half.iter().map(move |position| {
-                position
-                    .as_ref()
-                    .map_or([f64::NAN; 2], |position| point(of(position)))
-            })
-        };
-        canvas.line(path(|position| &position.t), Stroke::MainPath);
-        canvas.line(path(|position| &position.f), Stroke::Path);
-    }
-    for joint in [&m, &n, &shown.a, &shown.b] {
-        canvas.show(point(joint));
-    }
-    let cubic = focal_cubic(&n, &shown.a, &shown.b);
-    for piece in contour::zero_set(cubic, canvas.window()) {
-        canvas.background(piece.to_vec(), Stroke::Curve);
-    }
-    let bars = [
-        ([&m, &n], Stroke::Base),
-        ([&m, &shown.a], Stroke::Bar),
-        ([&n, &shown.b], Stroke::Bar),
-        ([&shown.a, &shown.b], Stroke::Bar),
-        ([&shown.p, &shown.f], Stroke::Bar),
-        ([&shown.q, &shown.f], Stroke::Bar),
-        ([&shown.t, &shown.f], Stroke::Bar),
-        ([&s, &shown.f], Stroke::Crank),
-    ];
-    for (ends, stroke) in bars {
-        canvas.line(ends.map(point), stroke);
-    }
-    for (at, joint, name) in [
-        (&m, Joint::Fixed, "M"),
-        (&n, Joint::Fixed, "N"),
-        (&s, Joint::Fixed, "S"),
-        (&shown.a, Joint::Moving, "A"),
-        (&shown.b, Joint::Moving, "B"),
-        (&shown.p, Joint::Moving, "P"),
-        (&shown.q, Joint::Moving, "Q"),
-        (&shown.t, Joint::Moving, "T"),
-        (&shown.f, Joint::Moving, "F"),
-    ] {
-        canvas.joint(point(at), joint, name);
-    }
+fn explain(canvas: &mut Canvas) {
     canvas.explain(Stroke::Crank, "crank SF");
     canvas.explain(Stroke::Bar, "bars of the mechanism");
     canvas.explain(Stroke::MainPath, "path of the coupler point T");
     canvas.explain(Stroke::Path, "path of F, a circle about S");
-    canvas.explain(Stroke::Curve, "focal cubic of MABN in this position");
-    canvas.to_svg()
 }
 
 /// F lies on it where opposite sides of MABN are seen under angles whose sum is a multiple of π.

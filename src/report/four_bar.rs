@@ -40,7 +40,7 @@ pub fn picture(answer: &Value) -> Option<String> {
     }
     linkage.draw(&mut canvas);
     if let [_, _, third] = foci.as_slice() {
-        canvas.joint(*third, Joint::Fixed, "Oc");
+        canvas.joint(*third, Joint::Fixed, "O_c");
     }
     let double = points(&answer["double_points"], |found| &found["point"]);
     for at in &double {

@@ -2,9 +2,10 @@
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, Joint, Stroke, spread};
+use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::{Z, point, z};
 use super::number;
+use super::skeleton::{Posture, Skeleton, easiest, round_trip};
 use crate::number::Number;
 
 /// The lengths, and the abscissa of the line.
@@ -66,81 +67,106 @@ impl Mechanism {
         (u.norm().0 - 1.0).abs().lt(&1e-6).then_some(position)
     }
 
-    fn sweep(&self, upwards: bool) -> Vec<Option<Position>> {
+    fn sweep(&self, upwards: bool) -> Vec<Option<Posture>> {
         let reach = self.m.abs() + self.p.abs();
         let highest = (reach * reach - self.x * self.x).max(0.0).sqrt();
         (0..=800)
             .map(|step| {
                 let part = (f64::from(step) / 400.0 - 1.0) * std::f64::consts::FRAC_PI_2;
-                self.position(highest * part.sin(), upwards)
+                let position = self.position(highest * part.sin(), upwards);
+                position.map(|position| self.posture(&position))
             })
             .collect()
     }
+
+    /// All joints, in the order of the skeleton.
+    fn posture(&self, position: &Position) -> Posture {
+        let Position { f, p, q, a, b } = position;
+        let mut joints = vec![[0.0, 0.0], [self.d, 0.0]];
+        joints.extend([a, b, p, q, f].map(point));
+        joints
+    }
 }
 
-/// How far apart the joints are in a position.
-fn ease(mechanism: &Mechanism, position: &Position) -> f64 {
-    let fixed = [[0.0, 0.0], [mechanism.d, 0.0]];
-    let Position { f, p, q, a, b } = position;
-    let moving = [f, p, q, a, b].map(point);
-    spread(&[&fixed[..], &moving[..]].concat())
-}
+const SKELETON: Skeleton = Skeleton {
+    joints: &[
+        (Joint::Fixed, "M"),
+        (Joint::Fixed, "N"),
+        (Joint::Moving, "A"),
+        (Joint::Moving, "B"),
+        (Joint::Moving, "P"),
+        (Joint::Moving, "Q"),
+        (Joint::Moving, "F"),
+    ],
+    bars: &[
+        (0, 1, Stroke::Base),
+        (0, 2, Stroke::Bar),
+        (0, P, Stroke::Bar),
+        (1, 3, Stroke::Bar),
+        (1, 5, Stroke::Bar),
+        (2, 3, Stroke::Bar),
+        (P, F, Stroke::Bar),
+        (5, F, Stroke::Bar),
+    ],
+};
+const P: usize = 4;
+const F: usize = 6;
 
 /// The picture; `None` where the mechanism cannot be assembled.
 pub fn picture(answer: &Value) -> Option<String> {
-    let mechanism = Mechanism::read(answer)?;
-    let sweep = [true, false].map(|upwards| mechanism.sweep(upwards));
-    let shown = sweep
-        .iter()
-        .flatten()
-        .flatten()
-        .max_by(|x, y| ease(&mechanism, x).total_cmp(&ease(&mechanism, y)))?;
+    let sweep = sweep(answer)?;
+    let shown = easiest(&sweep)?.clone();
     let mut canvas = Canvas::new(
         "Hart's straight-line mechanism",
         "The four-bar MABN with bars PF and QF from its rockers to F, in one position; F moves on a \
          straight line at right angles to the base MN, and the middle of PF on the curve that is \
          shown, an ellipse where MP = PF and the line passes through M.",
     );
-    for half in &sweep {
-        let path = |of: fn(&Position) -> Z| {
-            half.iter().map(move |position| {
-                position
-                    .as_ref()
-                    .map_or([f64::NAN; 2], |position| point(&of(position)))
+    draw_paths(&mut canvas, &sweep);
+    SKELETON.draw(&mut canvas, &[shown]);
+    explain(&mut canvas);
+    Some(canvas.to_svg())
+}
+
+/// The same mechanism, which goes through all of its positions when it is told to.
+pub fn moving_picture(answer: &Value) -> Option<String> {
+    let sweep = sweep(answer)?;
+    let mut canvas = Canvas::new(
+        "Hart's straight-line mechanism",
+        "The four-bar MABN with bars PF and QF from its rockers to F; F moves on a straight line at right \
+         angles to the base MN, and the middle of PF on the curve that is shown. The mechanism can be set \
+         in motion: F goes along the whole line and back, and all bars keep their lengths.",
+    );
+    draw_paths(&mut canvas, &sweep);
+    SKELETON.draw(&mut canvas, &round_trip(&sweep));
+    explain(&mut canvas);
+    Some(canvas.to_svg())
+}
+
+/// All positions, by the two assemblies of MPF.
+fn sweep(answer: &Value) -> Option<[Vec<Option<Posture>>; 2]> {
+    let mechanism = Mechanism::read(answer)?;
+    Some([true, false].map(|upwards| mechanism.sweep(upwards)))
+}
+
+fn draw_paths(canvas: &mut Canvas, sweep: &[Vec<Option<Posture>>]) {
+    let gap = [f64::NAN; 2];
+    for row in sweep {
+        let path = |of: fn(Point, Point) -> Point| {
+            row.iter().map(move |posture| {
+                let joints = posture.as_ref();
+                let ends = joints.and_then(|joints| Some((joints.get(P)?, joints.get(F)?)));
+                ends.map_or(gap, |(p, f)| of(*p, *f))
             })
         };
-        canvas.line(path(|position| position.f.clone()), Stroke::MainPath);
-        canvas.line(
-            path(|position| (&position.p + &position.f) / 2),
-            Stroke::Path,
-        );
+        canvas.line(path(|_, f| f), Stroke::MainPath);
+        let middle = |p: Point, f: Point| [(p[0] + f[0]) / 2.0, (p[1] + f[1]) / 2.0];
+        canvas.line(path(middle), Stroke::Path);
     }
-    let (m, n) = (z(0.0, 0.0), z(mechanism.d, 0.0));
-    for (ends, stroke) in [
-        ([&m, &n], Stroke::Base),
-        ([&m, &shown.a], Stroke::Bar),
-        ([&m, &shown.p], Stroke::Bar),
-        ([&n, &shown.b], Stroke::Bar),
-        ([&n, &shown.q], Stroke::Bar),
-        ([&shown.a, &shown.b], Stroke::Bar),
-        ([&shown.p, &shown.f], Stroke::Bar),
-        ([&shown.q, &shown.f], Stroke::Bar),
-    ] {
-        canvas.line(ends.map(point), stroke);
-    }
-    for (at, joint, name) in [
-        (&m, Joint::Fixed, "M"),
-        (&n, Joint::Fixed, "N"),
-        (&shown.a, Joint::Moving, "A"),
-        (&shown.b, Joint::Moving, "B"),
-        (&shown.p, Joint::Moving, "P"),
-        (&shown.q, Joint::Moving, "Q"),
-        (&shown.f, Joint::Moving, "F"),
-    ] {
-        canvas.joint(point(at), joint, name);
-    }
+}
+
+fn explain(canvas: &mut Canvas) {
     canvas.explain(Stroke::Bar, "bars of the mechanism");
     canvas.explain(Stroke::MainPath, "straight line of F");
     canvas.explain(Stroke::Path, "path of the middle of PF");
-    Some(canvas.to_svg())
 }

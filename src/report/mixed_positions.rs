@@ -113,10 +113,10 @@ fn draw(
             canvas.background((0..=STEPS).map(at).collect(), Stroke::Path);
         }
     }
-    canvas.joint(*center, Joint::Fixed, &format!("B{name}"));
+    canvas.joint(*center, Joint::Fixed, &format!("B_{name}"));
     for (place, group) in groups.iter().enumerate() {
         let label = if place == 0 {
-            format!("A{name}")
+            format!("A_{name}")
         } else {
             String::new()
         };

@@ -15,12 +15,15 @@ mod four_bar;
 mod frames;
 pub mod gallery;
 mod hart;
+mod labels;
 mod linkage_panels;
 mod mixed_positions;
+mod moving;
 mod plot;
 mod poles;
 #[cfg(feature = "command")]
 pub mod site;
+mod skeleton;
 mod slider_crank;
 mod straight_line;
 mod stretches;
@@ -48,6 +51,15 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         "slider-crank-alternates" => slider_crank::picture(problem, answer),
         "straight-line" => straight_line::picture(answer),
         "three-positions" => three_positions::picture(problem, answer),
+        _ => None,
+    }
+}
+
+/// The same with a mechanism that moves when it is told to; `None` for kinds of problem without one.
+fn moving_picture(problem: &Value, answer: &Value) -> Option<String> {
+    match answer.get("problem")?.as_str()? {
+        "focal-mechanism" => focal_mechanism::moving_picture(problem, answer),
+        "hart" => hart::moving_picture(answer),
         _ => None,
     }
 }

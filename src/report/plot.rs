@@ -28,7 +28,7 @@ const WHOLE: f64 = TOP + HEIGHT + 56.0;
 
 /// All diagrams, one below the other.
 pub fn block(plots: &[Plot]) -> Block {
-    let mut svg = r#"<g font-size="13">"#.to_owned();
+    let mut svg = r#"<g font-size="14">"#.to_owned();
     for (place, plot) in plots.iter().enumerate() {
         plot.draw(&mut svg, WHOLE * count::to_f64(place));
     }
@@ -45,6 +45,12 @@ fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
             (low.min(x), high.max(x))
         });
     if low < high { (low, high) } else { (-1.0, 1.0) }
+}
+
+/// A little more above and below, so that the curve does not touch the edge.
+fn padded((low, high): (f64, f64)) -> (f64, f64) {
+    let margin = 0.05 * (high - low);
+    (low - margin, high + margin)
 }
 
 /// Round numbers within a range, about so many.
@@ -85,12 +91,12 @@ fn label(tick: f64, span: f64) -> String {
 impl Plot {
     fn draw(&self, svg: &mut String, top: f64) {
         let across = range(self.points.iter().map(|[x, _]| *x));
-        let up = range(
+        let up = padded(range(
             self.points
                 .iter()
                 .map(|[_, y]| *y)
                 .chain(self.levels.iter().copied()),
-        );
+        ));
         let x = |value: f64| LEFT + WIDTH * (value - across.0) / (across.1 - across.0);
         let y = |value: f64| top + TOP + HEIGHT * (up.1 - value) / (up.1 - up.0);
         let (bottom, right) = (top + TOP + HEIGHT, LEFT + WIDTH);
@@ -134,6 +140,9 @@ impl Plot {
         for tick in ticks(up, 5.0) {
             line([LEFT, y(tick)], [right, y(tick)], faint);
         }
+        let axis = r##"stroke="#90a4ae""##;
+        line([LEFT, bottom], [right, bottom], axis);
+        line([LEFT, top + TOP], [LEFT, bottom], axis);
         for level in &self.levels {
             let dashed = r##"stroke="#8e24aa" stroke-dasharray="5 4""##;
             line([LEFT, y(*level)], [right, y(*level)], dashed);

@@ -22,7 +22,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     );
     frames::draw(&mut canvas, &positions, frames::extent(&points) / 12.0);
     for (name, at) in &poles {
-        canvas.joint(*at, Joint::Mark, &format!("P{name}"));
+        canvas.joint(*at, Joint::Mark, &format!("P_{name}"));
     }
     canvas.explain(
         Stroke::Bar,

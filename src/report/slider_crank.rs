@@ -108,7 +108,7 @@ impl Pair {
             canvas.line([center, point], stroke);
         }
         match center {
-            Some(center) => canvas.joint(center, Joint::Fixed, &format!("O{name}")),
+            Some(center) => canvas.joint(center, Joint::Fixed, &format!("O_{name}")),
             None => canvas.remark(&format!(
                 "the center of {capital} is far away, or none is real"
             )),

@@ -67,7 +67,7 @@ pub fn picture(answer: &Value) -> Option<String> {
     canvas.line([along(-1.0), along(1.0)], Stroke::Guide);
     linkage.draw(&mut canvas);
     for (number, at) in met.into_iter().enumerate() {
-        canvas.joint(at, Joint::Mark, &format!("D{}", number + 2));
+        canvas.joint(at, Joint::Mark, &format!("D_{}", number + 2));
     }
     canvas.explain(Stroke::MainPath, "path of D");
     canvas.explain(Stroke::Guide, "the line that it keeps to");
@@ -113,8 +113,8 @@ impl Linkage {
         canvas.line([o_b, b], Stroke::Crank);
         canvas.line([a, b, d, a], Stroke::Bar);
         for (at, joint, name) in [
-            (o_a, Joint::Fixed, "Oa"),
-            (o_b, Joint::Fixed, "Ob"),
+            (o_a, Joint::Fixed, "O_a"),
+            (o_b, Joint::Fixed, "O_b"),
             (a, Joint::Moving, "A"),
             (b, Joint::Moving, "B"),
             (d, Joint::Moving, "D"),

@@ -37,7 +37,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         canvas.background(circle_points(center, radius), Stroke::Curve);
     }
     for (name, at) in &triangle {
-        canvas.joint(*at, Joint::Mark, &format!("P{name}"));
+        canvas.joint(*at, Joint::Mark, &format!("P_{name}"));
     }
     canvas.explain(
         Stroke::Bar,
@@ -98,9 +98,9 @@ fn draw_pair(
         canvas.line([center, [*x, *y]], Stroke::Crank);
     }
     for (number, at) in places.iter().enumerate() {
-        canvas.joint(*at, Joint::Moving, &format!("A{index}({})", number + 1));
+        canvas.joint(*at, Joint::Moving, &format!("A_{index}({})", number + 1));
     }
     if let Some(center) = center {
-        canvas.joint(center, Joint::Fixed, &format!("B{index}"));
+        canvas.joint(center, Joint::Fixed, &format!("B_{index}"));
     }
 }

@@ -23,3 +23,4 @@ pub use free::{Free, Unbuilt};
 pub use registry::{checks, find, find_check, find_table, scenes, tables};
 pub use scene::{Scene, Symbol};
 pub use table::Table;
+pub use tesar1964::figures::{DrawnLinkage, drawn_linkage};

@@ -97,6 +97,19 @@ impl<K: Kind> Design<K> {
         Some(Contact::of(&self.deviation(order)?.v))
     }
 
+    /// The same in another kind.
+    pub fn map<L: Kind>(&self, convert: impl Fn(&Number<K>) -> Number<L>) -> Design<L> {
+        let point = |z: &Point<K>| Number::complex(convert(z.re()), convert(z.im()));
+        Design {
+            linkage: CouplerPoint {
+                pivots: self.linkage.pivots.each_ref().map(point),
+                pins: self.linkage.pins.each_ref().map(point),
+                point: point(&self.linkage.point),
+            },
+            direction: point(&self.direction),
+        }
+    }
+
     /// The two other linkages with the same path of D.
     pub fn cognates(&self) -> [Design<K>; 2] {
         self.linkage.cognates().map(|linkage| Design {

@@ -25,6 +25,8 @@ use crate::straight_line::no_design::NoDesign;
 
 /// Derivatives of v(u) that are told.
 const DERIVATIVES: usize = 6;
+/// Bits of enclosures of which only floats are wanted.
+const FLOAT_BITS: u32 = 128;
 
 struct Problem {
     given: Given,
@@ -32,25 +34,15 @@ struct Problem {
     levels: Vec<Rational>,
 }
 
+/// The linkage that the problem is about, in floats.
+pub fn design(fields: &Fields<'_>) -> Result<Option<Design<f64>>, ProblemError> {
+    let found = Problem::read(fields)?.found(FLOAT_BITS).ok();
+    Ok(found.map(|chosen| chosen.design.map(float)))
+}
+
 /// Reads and solves the problem.
 pub fn answer(fields: &Fields<'_>, request: &Request) -> Result<Map<String, Value>, ProblemError> {
-    fields.only(&["design", "levels"])?;
-    let (given, alternates) = given::read(&fields.object("design")?)?;
-    let levels = fields.numbers("levels")?;
-    for (place, level) in levels.iter().enumerate() {
-        if !level.cmp0().is_gt() {
-            let place = format!("levels[{place}]");
-            return Err(ProblemError::new(
-                &place,
-                "a positive accuracy was expected",
-            ));
-        }
-    }
-    let problem = Problem {
-        given,
-        alternates,
-        levels,
-    };
+    let problem = Problem::read(fields)?;
     let mut answer = sharpen(request.digits, |attempt| {
         match problem.found(attempt.bits) {
             Ok(found) => problem.analysis(&found, attempt),
@@ -78,6 +70,26 @@ struct Chosen {
 }
 
 impl Problem {
+    fn read(fields: &Fields<'_>) -> Result<Self, ProblemError> {
+        fields.only(&["design", "levels"])?;
+        let (given, alternates) = given::read(&fields.object("design")?)?;
+        let levels = fields.numbers("levels")?;
+        for (place, level) in levels.iter().enumerate() {
+            if !level.cmp0().is_gt() {
+                let place = format!("levels[{place}]");
+                return Err(ProblemError::new(
+                    &place,
+                    "a positive accuracy was expected",
+                ));
+            }
+        }
+        Ok(Problem {
+            given,
+            alternates,
+            levels,
+        })
+    }
+
     /// The first linkage of the first solution.
     fn found(&self, bits: u32) -> Result<Chosen, NoDesign> {
         let solutions = match &self.given {
@@ -299,7 +311,6 @@ impl Level<'_> {
 
 /// The arcs of all levels in steps of one degree, in floats, in the order of the levels.
 fn stepped_levels(design: &Design<Ball>, unit: &Number<Ball>, levels: &[Rational]) -> Vec<Value> {
-    let float = |x: &Number<Ball>| Number(x.0.midpoint_rational().map_or(f64::NAN, |q| q.to_f64()));
     let mut order: Vec<usize> = (0..levels.len()).collect();
     order.sort_by_key(|&i| levels.get(i));
     let ascending: Vec<Number<f64>> = order
@@ -335,6 +346,11 @@ fn stepped_levels(design: &Design<Ball>, unit: &Number<Ball>, levels: &[Rational
         }
     }
     values
+}
+
+/// The float in the middle of an enclosure.
+fn float(x: &Number<Ball>) -> Number<f64> {
+    Number(x.0.midpoint_rational().map_or(f64::NAN, |q| q.to_f64()))
 }
 
 /// The cosine of the angle at `pin`.

@@ -173,6 +173,11 @@ impl<K: Kind> Driven<K> {
         &self.start.pivots
     }
 
+    /// The direction of the line, of length 1.
+    pub fn direction(&self) -> &Point<K> {
+        &self.direction
+    }
+
     /// The same in another kind.
     pub fn map<L: Kind>(&self, convert: impl Fn(&Number<K>) -> Number<L>) -> Driven<L> {
         let point = |z: &Point<K>| Number::complex(convert(z.re()), convert(z.im()));

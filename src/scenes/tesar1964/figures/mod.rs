@@ -4,6 +4,7 @@ pub mod ball_burmester;
 pub mod contact_of_watt;
 pub mod derivatives;
 mod drawn;
+mod drawn_linkage;
 pub mod evans;
 pub mod intersections;
 pub mod nomograph;
@@ -13,6 +14,8 @@ mod results;
 pub mod stars;
 pub mod symmetric;
 pub mod watt;
+
+pub use drawn_linkage::{DrawnLinkage, drawn_linkage};
 
 /// A scene with its parameters and with all that a figure lists.
 macro_rules! listed {

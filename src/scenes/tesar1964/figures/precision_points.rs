@@ -22,6 +22,24 @@ pub const SCENE: Scene = listed!(
 );
 
 fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
+    let (design, theta) = measured(free)?;
+    let mut bindings = Bindings::new(free.precision());
+    bind(
+        &design,
+        Output::Anywhere,
+        COARSE,
+        Rule::Reversal,
+        &mut bindings,
+    )?;
+    bindings.bind("U", design.unit());
+    bindings.bind("theta", theta);
+    Ok(bindings)
+}
+
+/// The linkage, and the direction of its line.
+pub(super) fn measured<K: Elementary>(
+    free: &mut dyn Free<K>,
+) -> Result<(Design<K>, Number<K>), Unbuilt> {
     let mut length = |name: &str| free.length(name);
     let (q, r, s) = (length("Q")?, length("R")?, length("S")?);
     let (t, m) = (length("T")?, length("M")?);
@@ -45,17 +63,7 @@ fn build<K: Elementary>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> 
     }
     .checked()
     .map_err(|reason| Unbuilt::NotReal(reason.to_string()))?;
-    let mut bindings = Bindings::new(precision);
-    bind(
-        &design,
-        Output::Anywhere,
-        COARSE,
-        Rule::Reversal,
-        &mut bindings,
-    )?;
-    bindings.bind("U", design.unit());
-    bindings.bind("theta", theta);
-    Ok(bindings)
+    Ok((design, theta))
 }
 
 /// e^{iα}.

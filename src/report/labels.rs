@@ -1,0 +1,142 @@
+//! Places for the names of joints, apart from all that is drawn.
+
+use super::canvas::{Point, escaped};
+
+/// Places around a joint that are tried.
+const WAYS: u32 = 24;
+/// How far from its joint a name may be.
+const RADII: [f64; 3] = [19.0, 24.0, 31.0];
+/// Points of lines farther away than this do not matter.
+const NEAR: f64 = 60.0;
+/// The distance between the points by which a line is known.
+const STEP: f64 = 5.0;
+
+/// What is in the way of a name.
+pub struct Labels {
+    joints: Vec<Point>,
+    lines: Vec<Point>,
+    names: Vec<Point>,
+    sides: [f64; 2],
+}
+
+impl Labels {
+    /// Around these joints, between the sides of the page.
+    pub fn new(joints: &[Point], sides: [f64; 2]) -> Self {
+        Labels {
+            joints: joints.to_vec(),
+            lines: Vec::new(),
+            names: Vec::new(),
+            sides,
+        }
+    }
+
+    /// A line that names keep away from.
+    pub fn avoid(&mut self, line: &[Point]) {
+        let joints = std::mem::take(&mut self.joints);
+        let matters = |at: &Point| joints.iter().any(|joint| distance(joint, at) < NEAR);
+        for ends in line.windows(2) {
+            let [from, to] = ends else { continue };
+            let length = distance(from, to);
+            if !length.is_finite() || length > 1e5 {
+                continue;
+            }
+            let steps = (length / STEP).ceil().max(1.0);
+            for step in 0..=steps as u32 {
+                let part = f64::from(step) / steps;
+                let at = [0, 1].map(|axis: usize| from[axis] + part * (to[axis] - from[axis]));
+                if matters(&at) {
+                    self.lines.push(at);
+                }
+            }
+        }
+        self.joints = joints;
+    }
+
+    /// The middle of the name of the joint there.
+    pub fn place(&mut self, joint: Point, name: &str) -> Point {
+        let [x, y] = joint;
+        let lines: Vec<Point> = self
+            .lines
+            .iter()
+            .copied()
+            .filter(|at| distance(at, &joint) < NEAR)
+            .collect();
+        // A name is wider than high.
+        let half = 3.5 * name.chars().filter(|letter| *letter != '_').count() as f64;
+        let mut best = ([x + 14.0, y - 12.0], f64::NEG_INFINITY);
+        for (rank, radius) in RADII.iter().enumerate() {
+            for way in 0..WAYS {
+                let angle = std::f64::consts::TAU * f64::from(way) / f64::from(WAYS) + 0.4;
+                let at = [
+                    x + (radius + half - 5.0) * angle.cos(),
+                    y + radius * angle.sin(),
+                ];
+                let room = |points: &[Point], wanted: f64| {
+                    points
+                        .iter()
+                        .filter(|other| **other != joint)
+                        .map(|other| beside(&at, other, half) / wanted)
+                        .fold(1.0, f64::min)
+                };
+                let [left, right] = self.sides;
+                let inside = ((at[0] - left - half).min(right - half - at[0]) / 6.0).min(1.0);
+                let score = room(&self.joints, 15.0)
+                    .min(room(&lines, 11.0))
+                    .min(room(&self.names, 24.0))
+                    .min(inside)
+                    - 0.12 * rank as f64;
+                if score > best.1 + 1e-9 {
+                    best = (at, score);
+                }
+            }
+        }
+        if !name.is_empty() {
+            self.names.push(best.0);
+        }
+        best.0
+    }
+}
+
+fn distance([x, y]: &Point, [u, v]: &Point) -> f64 {
+    (x - u).hypot(y - v)
+}
+
+/// How far a point is from a name of this half width.
+fn beside(name: &Point, point: &Point, half: f64) -> f64 {
+    let across = ((name[0] - point[0]).abs() - (half - 4.0).max(0.0)).max(0.0);
+    across.hypot(name[1] - point[1])
+}
+
+/// A name, what follows `_` as its index.
+pub fn name_svg(name: &str) -> String {
+    match name.split_once('_') {
+        Some((name, index)) => format!(
+            r#"{}<tspan dy="4" font-size="12">{}</tspan>"#,
+            escaped(name),
+            escaped(index)
+        ),
+        None => escaped(name),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_keeps_away_from_lines_and_joints() {
+        let joints = [[100.0, 100.0], [120.0, 100.0]];
+        let mut labels = Labels::new(&joints, [0.0, 900.0]);
+        labels.avoid(&[[100.0, 0.0], [100.0, 100.0], [200.0, 100.0]]);
+        let [x, y] = labels.place(joints[0], "A");
+        assert!(x < 100.0 && y > 90.0, "{x} {y}");
+        let other = labels.place(joints[1], "B");
+        assert!(distance(&[x, y], &other) > 20.0);
+    }
+
+    #[test]
+    fn an_index_is_set_below() {
+        assert_eq!(name_svg("D"), "D");
+        assert!(name_svg("P_12").starts_with("P<tspan"));
+    }
+}
