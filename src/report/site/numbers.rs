@@ -3,14 +3,14 @@
 use maud::{Markup, html};
 
 use super::{Decided, address, article, digits, known, layout, mathematics};
+use crate::formula::Formula;
 use crate::ledger::{Computed, Content, Statement};
 
 /// A row of numbers: each with the place where it stands, below the place of all of them.
 pub fn table(heading: &str, rows: &[(String, Decided<'_>)]) -> Markup {
     html! {
         div.scroll tabindex="0" role="group" aria-label={ "Numbers of " (heading) } {
-            table.numbers {
-                caption { (heading) }
+            table.numbers aria-label=(heading) {
                 thead {
                     tr {
                         th scope="col" { "Number" }
@@ -37,8 +37,8 @@ fn row(place: &str, decided: Decided<'_>) -> Markup {
         tr.statement #(fragment) data-verdict=(judgement.verdict) {
             th scope="row" {
                 a href={ "#" (fragment) } { (place) }
-                @if let Content::Value { quantity, .. } = &statement.content {
-                    " " (mathematics::in_line(&quantity.formula))
+                @if let Some(quantity) = quantity_beside(statement, place) {
+                    " " (mathematics::in_line(quantity))
                 }
             }
             td.digits { (printed) }
@@ -62,6 +62,14 @@ fn row(place: &str, decided: Decided<'_>) -> Markup {
                 }
             }
         }
+    }
+}
+
+/// The quantity that is printed, where the place does not name it already.
+fn quantity_beside<'a>(statement: &'a Statement, place: &str) -> Option<&'a Formula> {
+    match &statement.content {
+        Content::Value { quantity, .. } if quantity.text != place => Some(&quantity.formula),
+        _ => None,
     }
 }
 
