@@ -64,6 +64,8 @@ pub enum Joint {
     Moving,
     /// A point of the plane, no joint.
     Mark,
+    /// A name alone.
+    Name,
 }
 
 enum Shape {
@@ -308,15 +310,17 @@ impl Canvas {
             let [x, y] = place(at);
             labels.avoid(&[[x, y], [x - 11.0, y + 18.0], [x + 11.0, y + 18.0], [x, y]]);
         }
-        let names: Vec<Point> = self
-            .joints()
-            .zip(&joints)
-            .map(|((_, _, name), at)| labels.place(*at, name))
+        let names = self.names(&joints);
+        let places: Vec<Point> = joints
+            .iter()
+            .zip(&names)
+            .map(|(at, name)| labels.place(*at, name))
             .collect();
-        for ((shape, at), label) in self.joint_shapes().zip(&joints).zip(names) {
+        let shapes = self.joint_shapes().zip(&joints);
+        for ((shape, at), (name, label)) in shapes.zip(names.iter().zip(places)) {
             match shape {
-                Shape::Joint(_, joint, name) => draw_joint(svg, *at, *joint, name, label),
-                Shape::MovingJoint(places, joint, name) => {
+                Shape::Joint(_, joint, _) => draw_joint(svg, *at, *joint, name, label),
+                Shape::MovingJoint(places, joint, _) => {
                     svg.push_str("<g>");
                     draw_joint(svg, *at, *joint, name, label);
                     let places: Vec<Point> = places.iter().map(|point| place(*point)).collect();
@@ -326,6 +330,28 @@ impl Canvas {
                 Shape::Line(..) | Shape::MovingLine(..) | Shape::Area(_) => {}
             }
         }
+    }
+
+    /// The names of the joints; of those in one place the last one has all names.
+    fn names(&self, places: &[Point]) -> Vec<String> {
+        let all: Vec<&str> = self.joints().map(|(_, _, name)| name).collect();
+        let is_here = |at: &Point, other: &Point| (at[0] - other[0]).hypot(at[1] - other[1]) < 0.5;
+        let named = |index: usize| -> String {
+            let Some((at, after)) = places.get(index..).and_then(<[Point]>::split_first) else {
+                return String::new();
+            };
+            if after.iter().any(|other| is_here(at, other)) {
+                return String::new();
+            }
+            let together = places
+                .iter()
+                .zip(&all)
+                .filter(|(other, _)| is_here(at, other));
+            let names: Vec<&str> = together.map(|(_, name)| *name).collect();
+            let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
+            names.join(", ")
+        };
+        (0..places.len()).map(named).collect()
     }
 
     fn joint_shapes(&self) -> impl Iterator<Item = &Shape> {
@@ -404,12 +430,17 @@ fn draw_joint(svg: &mut String, [x, y]: Point, joint: Joint, name: &str, [u, v]:
         );
     }
     let look = match joint {
+        Joint::Name => return draw_name(svg, name, [x, y]),
         Joint::Mark => r##"r="4" fill="#263238""##,
         Joint::Fixed | Joint::Moving => {
             r##"r="5" fill="#ffffff" stroke="#263238" stroke-width="2""##
         }
     };
     let _ = writeln!(svg, r##"<circle cx="{x:.1}" cy="{y:.1}" {look}/>"##);
+    draw_name(svg, name, [u, v]);
+}
+
+fn draw_name(svg: &mut String, name: &str, [u, v]: Point) {
     if name.is_empty() {
         return;
     }

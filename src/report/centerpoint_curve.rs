@@ -18,6 +18,11 @@ const STEPS: u32 = 3000;
 
 /// The picture; `None` where the curve is not known, or all of the plane, or without a finite point.
 pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
+    Some(canvas(problem, answer)?.to_svg())
+}
+
+/// The picture, to which more can be added.
+pub fn canvas(problem: &Value, answer: &Value) -> Option<Canvas> {
     let curve = answer.get("centerpoint")?;
     let kind = curve.get("type")?.as_str()?;
     let coefficients: [f64; 10] = numbers(curve.get("coefficients")?)?;
@@ -44,6 +49,9 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     let cubic = Cubic::new(coefficients.map(Number));
     if let Some(region) = stretches::region(problem) {
         canvas.area(region);
+    }
+    for piece in pieces(&cubic, kind, canvas.window()) {
+        show_closed(&mut canvas, &piece);
     }
     let window = canvas.window();
     for piece in pieces(&cubic, kind, window) {
@@ -78,7 +86,16 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
         canvas.explain(Stroke::Guide, "asymptote");
         canvas.explain(Stroke::Base, "midline");
     }
-    Some(canvas.to_svg())
+    canvas.scale("units of the positions");
+    Some(canvas)
+}
+
+/// Makes room for a branch of which no point is far away.
+pub fn show_closed(canvas: &mut Canvas, branch: &[Point]) {
+    let is_closed = branch.len() > 2 && branch.iter().flatten().all(|x| x.is_finite());
+    for point in branch.iter().filter(|_| is_closed) {
+        canvas.show(*point);
+    }
 }
 
 fn guide(name: &str) -> Stroke {
@@ -106,7 +123,7 @@ pub fn trace(cubic: &Cubic<f64>, kind: &str) -> Option<Trace<f64>> {
 }
 
 /// The curve in pieces, each a connected row of points.
-fn pieces(cubic: &Cubic<f64>, kind: &str, window: (Point, Point)) -> Vec<Vec<Point>> {
+pub fn pieces(cubic: &Cubic<f64>, kind: &str, window: (Point, Point)) -> Vec<Vec<Point>> {
     let Some(trace) = trace(cubic, kind) else {
         // Lines, circles and hyperbolas.
         let value = |[x, y]: Point| cubic.at(&z(x, y)).0;
@@ -129,7 +146,7 @@ fn pieces(cubic: &Cubic<f64>, kind: &str, window: (Point, Point)) -> Vec<Vec<Poi
 
 /// Points far outside of the window become gaps, so that no line crosses it from one end of the curve to
 /// the other.
-fn within(points: Vec<Point>, (low, high): (Point, Point)) -> Vec<Point> {
+pub fn within(points: Vec<Point>, (low, high): (Point, Point)) -> Vec<Point> {
     let margin = (high[0] - low[0]).max(high[1] - low[1]);
     let is_between = |x: f64, low: f64, high: f64| x > low - margin && x < high + margin;
     let is_near =
@@ -146,15 +163,24 @@ fn within(points: Vec<Point>, (low, high): (Point, Point)) -> Vec<Point> {
         .collect()
 }
 
-/// The part of a line that crosses the window and a little more.
-fn across([a, b, c]: [f64; 3], (low, high): (Point, Point)) -> Vec<Point> {
+/// The part of a line that is in the window.
+pub fn across([a, b, c]: [f64; 3], (low, high): (Point, Point)) -> Vec<Point> {
     let middle = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0];
     let norm = a * a + b * b;
     let from_line = (a * middle[0] + b * middle[1] + c) / norm;
     let foot = [middle[0] - a * from_line, middle[1] - b * from_line];
-    let reach = (high[0] - low[0]).hypot(high[1] - low[1]) / norm.sqrt();
-    [-reach, reach]
-        .map(|t| [foot[0] - b * t, foot[1] + a * t])
+    let direction = [-b, a];
+    let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
+    for axis in 0..2 {
+        let [p, q] = [low, high].map(|side| (side[axis] - foot[axis]) / direction[axis]);
+        if p.is_finite() && q.is_finite() {
+            ends = [ends[0].max(p.min(q)), ends[1].min(p.max(q))];
+        }
+    }
+    if ends[0] >= ends[1] {
+        return Vec::new();
+    }
+    ends.map(|t| [foot[0] + t * direction[0], foot[1] + t * direction[1]])
         .to_vec()
 }
 

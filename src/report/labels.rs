@@ -107,16 +107,26 @@ fn beside(name: &Point, point: &Point, half: f64) -> f64 {
     across.hypot(name[1] - point[1])
 }
 
-/// A name, what follows `_` as its index.
-pub fn name_svg(name: &str) -> String {
-    match name.split_once('_') {
-        Some((name, index)) => format!(
-            r#"{}<tspan dy="4" font-size="12">{}</tspan>"#,
-            escaped(name),
-            escaped(index)
-        ),
-        None => escaped(name),
+/// Names, what follows `_` in each as its index.
+pub fn name_svg(names: &str) -> String {
+    let mut svg = String::new();
+    let mut is_below = false;
+    for (place, name) in names.split(", ").enumerate() {
+        let comma = match (place, is_below) {
+            (0, _) => "",
+            (_, true) => r#"<tspan dy="-4">, </tspan>"#,
+            (_, false) => ", ",
+        };
+        svg.push_str(comma);
+        let (name, index) = name.split_once('_').unwrap_or((name, ""));
+        svg.push_str(&escaped(name));
+        is_below = !index.is_empty();
+        if is_below {
+            let index = escaped(index);
+            svg.push_str(&format!(r#"<tspan dy="4" font-size="12">{index}</tspan>"#));
+        }
     }
+    svg
 }
 
 #[cfg(test)]
@@ -138,5 +148,6 @@ mod tests {
     fn an_index_is_set_below() {
         assert_eq!(name_svg("D"), "D");
         assert!(name_svg("P_12").starts_with("P<tspan"));
+        assert_eq!(name_svg("P_12, P_13").matches(">12<").count(), 1);
     }
 }

@@ -3,8 +3,13 @@
 //! Which there are is said in `data/pictures.toml`: each is a problem with its answer, or one of the
 //! [`drawings`] that no problem asks for.
 
+mod compatibility_triangle;
+mod conformal_sketch;
 mod drawings;
 mod figure;
+mod four_poles;
+mod opposite_sides;
+mod twelve_points;
 
 use serde::Deserialize;
 use serde_json::Value;
@@ -110,8 +115,8 @@ impl Entry {
             (Some("figure"), _) => figure::of_example(self),
             (Some(drawing), problem) => {
                 let answer = problem.as_ref().map(|problem| self.solved(problem));
-                drawings::svg(drawing, problem.as_ref(), answer.transpose()?.as_ref())
-                    .ok_or_else(nothing)
+                let answer = answer.transpose()?;
+                drawings::svg(drawing, problem.as_ref().zip(answer.as_ref())).ok_or_else(nothing)
             }
             (None, Some(problem)) if problem["problem"] == "deviation" => {
                 figure::of_design(self, problem)
