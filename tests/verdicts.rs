@@ -7,30 +7,48 @@
     reason = "a test stops where something is wrong"
 )]
 
-use burmester::ledger::{self, Options};
+use std::sync::OnceLock;
+
+use burmester::ledger::{self, Judged, Options, Paper};
+use burmester::report::errata;
+
+/// All sources, judged once for all tests.
+fn judged() -> &'static [Judged<'static>] {
+    static PAPERS: OnceLock<Vec<Paper>> = OnceLock::new();
+    static JUDGED: OnceLock<Vec<Judged<'static>>> = OnceLock::new();
+    JUDGED.get_or_init(|| {
+        let papers = PAPERS.get_or_init(|| ledger::built_in().unwrap());
+        let options = Options {
+            digits: 30,
+            mutants: false,
+        };
+        Judged::all(papers, options, || ()).unwrap()
+    })
+}
 
 #[test]
 fn every_statement_has_its_expected_verdict() {
-    let papers = ledger::built_in().unwrap();
-    let options = Options {
-        digits: 30,
-        mutants: false,
-    };
-    let mut done = 0;
-    let judgements = ledger::judge_all(&papers, options, || done += 1);
-    let judgements: Vec<_> = judgements.into_iter().flatten().collect();
-    let statements: Vec<_> = papers.iter().flat_map(|paper| &paper.statements).collect();
-    assert_eq!([done, judgements.len()], [statements.len(); 2]);
-    let mut wrong = Vec::new();
-    for (statement, judgement) in statements.iter().zip(judgements) {
-        match judgement {
-            Ok(judgement) if judgement.verdict == statement.expected => {}
-            Ok(judgement) => wrong.push(format!(
-                "{}: expected {}, found {} ({:?})",
-                statement.id, statement.expected, judgement.verdict, judgement
-            )),
-            Err(error) => wrong.push(format!("{}: {error}", statement.id)),
+    let mut count = 0;
+    for paper in judged() {
+        assert_eq!(paper.judgements.len(), paper.paper.total);
+        count += paper.judgements.len();
+        for one in paper.decided() {
+            let (statement, judgement) = (one.statement, one.judgement);
+            assert_eq!(
+                judgement.verdict, statement.expected,
+                "{}: {judgement:?}",
+                statement.id
+            );
         }
     }
-    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert_eq!(count, 1061);
+}
+
+#[test]
+fn the_list_of_errata_is_up_to_date() {
+    let computed = errata::markdown(judged());
+    assert!(
+        computed == include_str!("../ERRATA.md"),
+        "ERRATA.md differs from what is computed; `burmester report -o site` writes site/ERRATA.md, copy it"
+    );
 }

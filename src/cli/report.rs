@@ -5,8 +5,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use burmester::ledger::{self, JudgeError, Judgement, Options, Paper, Statement};
-use burmester::report::site::{File, Source, site, steps};
+use burmester::ledger::{self, Judged, Options, Paper};
+use burmester::report::site::{File, site, steps};
 
 use super::outcome::{Failure, print};
 use super::progress::Progress;
@@ -55,28 +55,13 @@ fn write(path: &Path, file: &File) -> io::Result<()> {
     write_whole(path, &file.text)
 }
 
-fn judged(papers: &[Paper]) -> Result<Vec<Source<'_>>, Failure> {
+fn judged(papers: &[Paper]) -> Result<Vec<Judged<'_>>, Failure> {
     let total = papers.iter().map(|paper| paper.statements.len()).sum();
     let progress = Progress::of(total, "statements");
     let options = Options {
         digits: 30,
         mutants: false,
     };
-    let judged = ledger::judge_all(papers, options, || progress.step());
-    let mut sources = Vec::new();
-    for (paper, of_paper) in papers.iter().zip(judged) {
-        let place = |(place, judgement): (usize, Result<Judgement, JudgeError>)| {
-            let statement = paper.statements.get(place).map(Statement::place);
-            judgement.map_err(|error| {
-                Failure::wrong(format!("{}: {error}", statement.unwrap_or_default()))
-            })
-        };
-        let judgements: Result<Vec<Judgement>, Failure> =
-            of_paper.into_iter().enumerate().map(place).collect();
-        sources.push(Source {
-            paper,
-            judgements: judgements?,
-        });
-    }
-    Ok(sources)
+    Judged::all(papers, options, || progress.step())
+        .map_err(|error| Failure::wrong(error.to_string()))
 }

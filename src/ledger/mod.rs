@@ -8,6 +8,7 @@ mod example;
 mod formula;
 mod judge;
 mod judge_all;
+mod judged;
 mod measured;
 mod mutation;
 mod number;
@@ -24,6 +25,7 @@ pub use error::JudgeError;
 pub use example::Example;
 pub use judge::{Judge, Options};
 pub use judge_all::judge_all;
+pub use judged::{Decided, Judged, NotJudged};
 pub use mutation::MutantCounts;
 pub use paper::{
     Condition, Content, Paper, PaperError, Statement, built_in, read_folder, read_paper,

@@ -2,19 +2,18 @@
 
 use std::fmt::Write;
 
-use super::site::Source;
-use crate::ledger::{Judgement, Statement};
+use crate::ledger::{Decided, Judged, Judgement, Statement};
 
 /// The errata of all sources in Markdown.
-pub fn markdown(sources: &[Source<'_>]) -> String {
+pub fn markdown(sources: &[Judged<'_>]) -> String {
     let mut text = "# Errata\n\n\
         Every wrong line of every source, with what is right and how that is known. Each is named by an id that \
         never changes. `burmester report` writes this file; nothing here is written by hand.\n"
         .to_owned();
     for source in sources {
-        let both = source.paper.statements.iter().zip(&source.judgements);
-        let errata: Vec<_> = both
-            .filter(|(_, judgement)| judgement.verdict.is_erratum())
+        let errata = source.decided();
+        let errata: Vec<_> = errata
+            .filter(|one| one.judgement.verdict.is_erratum())
             .collect();
         // Writing to a string cannot fail.
         let _ = write!(
@@ -23,7 +22,11 @@ pub fn markdown(sources: &[Source<'_>]) -> String {
             source.paper.title,
             errata.len()
         );
-        for (statement, judgement) in errata {
+        for Decided {
+            statement,
+            judgement,
+        } in errata
+        {
             text.push_str(&erratum(statement, judgement));
         }
     }

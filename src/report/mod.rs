@@ -7,8 +7,7 @@ mod complex;
 mod contour;
 mod curvature;
 mod deviation;
-#[cfg(feature = "command")]
-mod errata;
+pub mod errata;
 mod five_positions;
 mod focal_mechanism;
 mod four_bar;

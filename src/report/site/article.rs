@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::{Decided, address, code, known, layout, mathematics};
-use crate::ledger::{Content, Statement};
+use super::{address, code, known, layout, mathematics};
+use crate::ledger::{Content, Decided, Statement};
 use crate::scenes::find_check;
 
 /// A statement under a heading that says where it stands.

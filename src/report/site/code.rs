@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use include_dir::{Dir, include_dir};
 use maud::{Markup, html};
 
-use super::{Decided, File, Source, address, layout};
+use super::{File, address, layout};
+use crate::ledger::{Decided, Judged};
 use crate::scenes::check::Check;
 use crate::scenes::{self, Scene};
 
@@ -70,9 +71,9 @@ fn file_that_says(name: &str) -> Option<(String, &'static str)> {
 }
 
 /// A page for each file that holds a scene or a check.
-pub fn pages(sources: &[Source<'_>]) -> Vec<File> {
+pub fn pages(sources: &[Judged<'_>]) -> Vec<File> {
     let mut used: BTreeMap<&str, Vec<Decided<'_>>> = BTreeMap::new();
-    for decided in sources.iter().flat_map(Source::decided) {
+    for decided in sources.iter().flat_map(Judged::decided) {
         used.entry(decided.statement.scene.name)
             .or_default()
             .push(decided);

@@ -2,11 +2,11 @@
 
 use maud::{Markup, html};
 
-use super::{Decided, File, Source, address, article, known, layout, numbers, source};
-use crate::ledger::{Kind, Proof, Verdict};
+use super::{File, address, article, known, layout, numbers, source};
+use crate::ledger::{Decided, Judged, Kind, Proof, Verdict};
 
 /// The page.
-pub fn page(sources: &[Source<'_>]) -> File {
+pub fn page(sources: &[Judged<'_>]) -> File {
     let content = html! {
         h1 { "What five classic sources say about planar linkages, line by line" }
         p.lead {
@@ -51,14 +51,14 @@ pub fn page(sources: &[Source<'_>]) -> File {
     layout::page("index.html", "Verdicts", &content)
 }
 
-fn with_proof(sources: &[Source<'_>], proof: Proof) -> usize {
+fn with_proof(sources: &[Judged<'_>], proof: Proof) -> usize {
     let judgements = sources.iter().flat_map(|source| &source.judgements);
     judgements
         .filter(|judgement| judgement.proof == proof)
         .count()
 }
 
-fn table(sources: &[Source<'_>]) -> Markup {
+fn table(sources: &[Judged<'_>]) -> Markup {
     let counts: Vec<_> = sources.iter().map(source::counts).collect();
     let verdicts: Vec<Verdict> = Verdict::ALL
         .into_iter()
@@ -93,7 +93,7 @@ fn table(sources: &[Source<'_>]) -> Markup {
     }
 }
 
-fn count(source: &Source<'_>, verdict: Verdict, count: Option<&usize>) -> Markup {
+fn count(source: &Judged<'_>, verdict: Verdict, count: Option<&usize>) -> Markup {
     let page = address::of_source(&source.paper.key);
     html! {
         @match count {
@@ -103,7 +103,7 @@ fn count(source: &Source<'_>, verdict: Verdict, count: Option<&usize>) -> Markup
     }
 }
 
-fn errata(source: &Source<'_>) -> Markup {
+fn errata(source: &Judged<'_>) -> Markup {
     let errata: Vec<Decided<'_>> = source
         .decided()
         .filter(|decided| decided.judgement.verdict.is_erratum())

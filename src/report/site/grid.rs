@@ -2,8 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::{Decided, address, article, layout};
-use crate::ledger::{Content, PrintedTable};
+use super::{address, article, layout};
+use crate::ledger::{Content, Decided, PrintedTable};
 
 /// The cells of one table; each leads to what was found of it.
 pub fn grid(heading: &str, table: &PrintedTable, cells: &[Decided<'_>]) -> Markup {

@@ -1,8 +1,6 @@
 //! How a verdict is known, in one or two sentences.
 
-use crate::ledger::{Content, Judgement, Proof, Statement, Verdict};
-
-use super::Decided;
+use crate::ledger::{Content, Decided, Judgement, Proof, Statement, Verdict};
 
 /// Longer values are left to the command `explain`.
 const LONGEST_VALUE: usize = 20;

@@ -20,34 +20,8 @@ mod source;
 use rayon::prelude::*;
 
 use super::gallery::{Exhibit, GalleryError, of_source};
-use crate::ledger::{Judgement, Paper, Statement};
+use crate::ledger::Judged;
 use crate::oracle::vectors::CORPORA;
-
-/// A source with what was found of each of its statements, in order.
-pub struct Source<'a> {
-    /// The source.
-    pub paper: &'a Paper,
-    /// One for each statement.
-    pub judgements: Vec<Judgement>,
-}
-
-impl<'a> Source<'a> {
-    /// Every statement with what was found of it.
-    fn decided(&self) -> impl Iterator<Item = Decided<'_>> {
-        let both = self.paper.statements.iter().zip(&self.judgements);
-        both.map(|(statement, judgement)| Decided {
-            statement,
-            judgement,
-        })
-    }
-}
-
-/// A statement and what was found of it.
-#[derive(Clone, Copy)]
-struct Decided<'a> {
-    statement: &'a Statement,
-    judgement: &'a Judgement,
-}
 
 /// A file of the site.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,7 +45,7 @@ impl File {
 ///
 /// # Errors
 /// A picture that cannot be drawn.
-pub fn site(sources: &[Source<'_>], step: impl Fn() + Sync) -> Result<Vec<File>, GalleryError> {
+pub fn site(sources: &[Judged<'_>], step: impl Fn() + Sync) -> Result<Vec<File>, GalleryError> {
     let keys: Vec<&str> = sources
         .iter()
         .map(|source| source.paper.key.as_str())
@@ -107,6 +81,6 @@ pub fn site(sources: &[Source<'_>], step: impl Fn() + Sync) -> Result<Vec<File>,
 }
 
 /// How many steps [`site`] takes.
-pub fn steps(sources: &[Source<'_>]) -> usize {
+pub fn steps(sources: &[Judged<'_>]) -> usize {
     2 * sources.len() + CORPORA.len()
 }

@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::{Decided, address, article, digits, known, layout, mathematics};
+use super::{address, article, digits, known, layout, mathematics};
 use crate::formula::Formula;
-use crate::ledger::{Computed, Content, Statement};
+use crate::ledger::{Computed, Content, Decided, Statement};
 
 /// A row of numbers: each with the place where it stands, below the place of all of them.
 pub fn table(heading: &str, rows: &[(String, Decided<'_>)]) -> Markup {

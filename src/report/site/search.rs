@@ -2,12 +2,13 @@
 
 use serde_json::json;
 
-use super::{File, Source, address};
+use super::{File, address};
+use crate::ledger::Judged;
 
 /// A script that holds the id, place, address, verdict and words of every statement.
-pub fn index(sources: &[Source<'_>]) -> File {
+pub fn index(sources: &[Judged<'_>]) -> File {
     let mut text = "window.burmesterIndex = [\n".to_owned();
-    for decided in sources.iter().flat_map(Source::decided) {
+    for decided in sources.iter().flat_map(Judged::decided) {
         let statement = decided.statement;
         let words = [Some(&statement.printed), statement.note.as_ref()];
         let words: Vec<&str> = words.into_iter().flatten().map(String::as_str).collect();

@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use maud::{Markup, html};
 
-use super::{Decided, File, Source, address, article, grid, inline, layout, numbers};
-use crate::ledger::{Content, Kind, PrintedTable, Verdict};
+use super::{File, address, article, grid, inline, layout, numbers};
+use crate::ledger::{Content, Decided, Judged, Kind, PrintedTable, Verdict};
 use crate::report::gallery::Exhibit;
 
 /// The page.
-pub fn page(source: &Source<'_>, exhibits: &[Exhibit]) -> File {
+pub fn page(source: &Judged<'_>, exhibits: &[Exhibit]) -> File {
     let key = &source.paper.key;
     let content = html! {
         h1 { (short_title(&source.paper.title)) }
@@ -36,7 +36,7 @@ pub fn short_title(title: &str) -> &str {
 }
 
 /// How many statements have each verdict.
-pub fn counts(source: &Source<'_>) -> BTreeMap<Verdict, usize> {
+pub fn counts(source: &Judged<'_>) -> BTreeMap<Verdict, usize> {
     let mut counts = BTreeMap::new();
     for decided in source.decided() {
         *counts.entry(decided.judgement.verdict).or_default() += 1;
@@ -44,7 +44,7 @@ pub fn counts(source: &Source<'_>) -> BTreeMap<Verdict, usize> {
     counts
 }
 
-fn filter(source: &Source<'_>) -> Markup {
+fn filter(source: &Judged<'_>) -> Markup {
     html! {
         form.filter hidden {
             fieldset {
@@ -79,7 +79,7 @@ fn section_name(locus: &str) -> Option<&str> {
         .then_some(first)
 }
 
-fn sections<'a>(source: &'a Source<'_>) -> Vec<Section<'a>> {
+fn sections<'a>(source: &'a Judged<'_>) -> Vec<Section<'a>> {
     let mut sections: Vec<Section<'a>> = Vec::new();
     for decided in source.decided() {
         let name = section_name(&decided.statement.locus);
@@ -95,7 +95,7 @@ fn sections<'a>(source: &'a Source<'_>) -> Vec<Section<'a>> {
     sections
 }
 
-fn contents(source: &Source<'_>) -> Markup {
+fn contents(source: &Judged<'_>) -> Markup {
     let sections = sections(source);
     html! {
         @if sections.len() > 1 {
