@@ -1,0 +1,1 @@
+"""The answers and the errata of `data/`, recomputed without the library; see docs/replay.md."""
