@@ -35,3 +35,16 @@ pub(crate) fn from_u32(count: u32) -> usize {
 pub(crate) fn from_u64(count: u64) -> usize {
     usize::try_from(count).unwrap_or(usize::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_keep_their_value_or_become_the_largest() {
+        assert_eq!((to_i64(7), to_u64(7), to_u32(7)), (7, 7, 7));
+        assert_eq!((from_u32(7), from_u64(7)), (7, 7));
+        assert_eq!(to_u32(usize::MAX), u32::MAX);
+        assert!((to_f64(1 << 20) - f64::from(1 << 20)).abs() < 0.5);
+    }
+}
