@@ -280,7 +280,7 @@ fn more_digits_agree_with_fewer() {
 #[test]
 fn a_reader_that_goes_away_is_no_failure() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_burmester"))
-        .args(["verify", "--format", "json"])
+        .args(["verify", "filemon1970", "--format", "json"])
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()

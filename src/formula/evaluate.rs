@@ -1,11 +1,11 @@
 //! Evaluation of a formula in any number kind.
 
 use std::cmp::Ordering;
-use std::collections::BTreeMap;
 
 use rug::Rational;
 use thiserror::Error;
 
+use super::bindings::Bindings;
 use super::compare::{self, Signs};
 use super::function::Function;
 use super::operate;
@@ -13,43 +13,6 @@ use super::running::{self, Running};
 use super::tree::{Connective, Formula, Node, Operator, Relation, Span, Tree};
 use super::value::Value;
 use crate::number::{Number, Real, Truth};
-
-/// What the symbols of a formula stand for.
-#[derive(Clone, Debug)]
-pub struct Bindings<K: Real> {
-    values: BTreeMap<String, Value<K>>,
-    precision: K::Precision,
-}
-
-impl<K: Real> Bindings<K> {
-    /// No symbols yet; constants of formulas are taken to this precision.
-    pub fn new(precision: K::Precision) -> Self {
-        Bindings {
-            values: BTreeMap::new(),
-            precision,
-        }
-    }
-
-    /// Binds a name.
-    pub fn bind(&mut self, name: &str, value: impl Into<Value<K>>) {
-        self.values.insert(name.to_owned(), value.into());
-    }
-
-    /// What a name stands for.
-    pub fn get(&self, name: &str) -> Option<&Value<K>> {
-        self.values.get(name)
-    }
-
-    /// All names, in alphabetical order.
-    pub fn names(&self) -> impl Iterator<Item = &str> {
-        self.values.keys().map(String::as_str)
-    }
-
-    /// To what constants are rounded.
-    pub fn precision(&self) -> &K::Precision {
-        &self.precision
-    }
-}
 
 /// Why a formula could not be evaluated.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -158,7 +121,7 @@ impl<'a, K: Real> Scope<'a, K> {
     }
 
     pub(super) fn precision(&self) -> &K::Precision {
-        &self.bindings.precision
+        self.bindings.precision()
     }
 
     pub(super) fn signs(&self) -> Signs {
@@ -298,7 +261,7 @@ impl<'a, K: Real> Scope<'a, K> {
         match &tree.node {
             Node::Number { value, .. } => Ok(Value::Number(Number::rounded(
                 value,
-                &self.bindings.precision,
+                self.bindings.precision(),
             ))),
             Node::Pi => Ok(Value::Turn(Rational::from(1))),
             Node::ImaginaryUnit => Ok(Value::Point(Number::i())),

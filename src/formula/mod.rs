@@ -1,5 +1,6 @@
 #![doc = include_str!("grammar.md")]
 
+mod bindings;
 mod cis;
 mod compare;
 mod difference;
@@ -22,9 +23,10 @@ mod text;
 pub mod tree;
 mod value;
 
+pub use bindings::Bindings;
 pub use difference::{Difference, difference};
 pub use error::ReadError;
-pub use evaluate::{Bindings, Failure, Outcome, evaluate, evaluate_expression};
+pub use evaluate::{Failure, Outcome, evaluate, evaluate_expression};
 pub use function::Function;
 pub use latex::{latex, tree_latex};
 pub use mathml::{definition_mathml, mathml, tree_mathml};

@@ -1,6 +1,7 @@
 //! The normal form of an expression or equation in its own symbols.
 
-use super::evaluate::{Bindings, Failure, evaluate_expression};
+use super::bindings::Bindings;
+use super::evaluate::{Failure, evaluate_expression};
 use super::tree::{Formula, Node, Operator, Relation, Span, Tree};
 use super::value::Value;
 use crate::number::{Fraction, Number, Ring};

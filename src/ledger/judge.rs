@@ -1,6 +1,7 @@
 //! Statement and scene to verdict.
 
 use std::collections::HashMap;
+use std::iter::successors;
 
 use super::error::JudgeError;
 use super::formula::{Finding, decide, failure_outside, restricted};
@@ -14,7 +15,7 @@ use super::stage::Stage;
 use super::table::Tables;
 use super::{Computed, Judgement, Kind, Printed, Proof, Verdict};
 
-use crate::number::Truth;
+use crate::number::{Real, Truth};
 use crate::scenes;
 use crate::scenes::check::{Basis, Report};
 
@@ -312,17 +313,26 @@ fn explain(
 /// The quantity to so many digits, sharpened until they are there.
 fn computed(quantity: &Text, stage: &mut Stage, digits: usize) -> Result<Computed, JudgeError> {
     let wanted = u32::try_from(digits * 10 / 3).unwrap_or(u32::MAX / 4);
-    let mut bits = wanted.saturating_add(64);
-    loop {
+    let most = wanted.saturating_mul(8).saturating_add(4096);
+    let first = wanted.saturating_add(64);
+    let doubled = |bits: &u32| (*bits <= most).then(|| bits.saturating_mul(2));
+    let precisions = successors(Some(first), doubled);
+    let last = precisions.clone().last().unwrap_or(first);
+    for bits in precisions {
         let value = evaluate_quantity(quantity, stage, bits)?;
-        if value.rational.is_some()
-            || value.ball.accuracy_bits() > Some(i64::from(wanted) + 4)
-            || bits > wanted.saturating_mul(8).saturating_add(4096)
-        {
+        let is_sharp = value.ball.accuracy_bits() > Some(i64::from(wanted) + 4);
+        if value.rational.is_some() || is_sharp {
             return Ok(shown(&value, digits));
         }
-        bits = bits.saturating_mul(2);
+        // What is zero never is: then only the last precision is left to be seen.
+        if bits > first && value.ball.sign().is_none() {
+            let value = evaluate_quantity(quantity, stage, last)?;
+            if value.ball.sign().is_none() {
+                return Ok(shown(&value, digits));
+            }
+        }
     }
+    Ok(shown(&evaluate_quantity(quantity, stage, last)?, digits))
 }
 
 /// Runs the checks in code that belong to a statement; one that fails makes the line fail.

@@ -14,6 +14,10 @@ use crate::number::text::parse_rational;
 use crate::number::{Ball, BallText, Number, Real};
 use crate::plane::Angle;
 
+/// Bits with which the comparison begins: those by which 30 digits are shown, so that the quantities of
+/// a stage are computed once for both.
+const FIRST_BITS: u32 = 164;
+
 /// More bits than this are not spent on deciding a printed digit.
 const MOST_BITS: u32 = 1 << 14;
 
@@ -111,7 +115,7 @@ pub fn compare_decimal(
     quantity: &Text,
     stage: &mut Stage,
 ) -> Result<ValueFinding, JudgeError> {
-    let mut bits = 128;
+    let mut bits = FIRST_BITS;
     loop {
         let value = evaluate_quantity(quantity, stage, bits)?;
         let proof = if value.exact {
@@ -206,7 +210,7 @@ pub fn compare_integer(
     quantity: &Text,
     stage: &mut Stage,
 ) -> Result<Option<ValueFinding>, JudgeError> {
-    let value = evaluate_quantity(quantity, stage, 128)?;
+    let value = evaluate_quantity(quantity, stage, FIRST_BITS)?;
     let (Some(printed), Some(rational), false) =
         (rational_of(printed), value.rational, value.exact)
     else {

@@ -119,7 +119,8 @@ impl Stage {
             };
             let run = |seed| {
                 let machine_of_seed = Machine::new(machine.digits, Rounding::Scattered(seed))?;
-                (machine.build)(&mut Given::new(&example.given, machine_of_seed)).ok()
+                let built = (machine.build)(&mut Given::new(&example.given, machine_of_seed));
+                built.ok().filter(Bindings::is_complete)
             };
             (0..EMULATIONS).filter_map(run).collect()
         };

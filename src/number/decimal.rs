@@ -5,6 +5,7 @@
 //! chance will have it, so that the spread of the last results is that of its rounding errors.
 
 use std::cmp::Ordering;
+use std::io::Write;
 
 use rug::{Integer, Rational};
 
@@ -43,23 +44,31 @@ impl Machine {
     /// The number m·10ᵉ in this machine.
     fn rounded(self, mantissa: i128, exponent: i32) -> Decimal {
         let size = mantissa.unsigned_abs();
-        let Some(length) = size.checked_ilog10().map(|log| log + 1) else {
+        let length = match u64::try_from(size) {
+            Ok(size) => size.checked_ilog10(),
+            Err(_) => size.checked_ilog10(),
+        };
+        let Some(length) = length.map(|log| log + 1) else {
             return self.number(0, 0);
         };
         if length <= self.digits {
             let missing = self.digits - length;
             return self.number(
-                mantissa * 10_i128.pow(missing),
+                mantissa * power_of_ten(missing),
                 exponent.saturating_sub_unsigned(missing),
             );
         }
         let surplus = length - self.digits;
-        let unit = 10_u128.pow(surplus);
-        let (mut kept, cut) = (size / unit, size % unit);
+        let unit = power_of_ten(surplus).unsigned_abs();
+        // The usual numbers have less than 64 bits, which divide much faster.
+        let (mut kept, cut) = match (u64::try_from(size), u64::try_from(unit)) {
+            (Ok(size), Ok(unit)) => (u128::from(size / unit), u128::from(size % unit)),
+            _ => (size / unit, size % unit),
+        };
         let mut exponent = exponent.saturating_add_unsigned(surplus);
         if cut != 0 && self.rounds_up(kept, cut, unit) {
             kept += 1;
-            if kept == 10_u128.pow(self.digits) {
+            if kept == power_of_ten(self.digits).unsigned_abs() {
                 kept /= 10;
                 exponent = exponent.saturating_add(1);
             }
@@ -127,16 +136,46 @@ impl Machine {
         if x == 0.0 {
             return self.number(0, 0);
         }
-        let text = format!("{x:.16e}");
-        let parts = text.split_once('e').and_then(|(digits, exponent)| {
-            let mantissa: i128 = digits.replacen('.', "", 1).parse().ok()?;
-            let exponent: i32 = exponent.parse().ok()?;
-            Some((mantissa, exponent - 16))
-        });
+        let parts = digits_of(x);
         match parts {
             Some((mantissa, exponent)) => self.rounded(mantissa, exponent),
             None => Decimal::NONE,
         }
+    }
+}
+
+/// 17 digits of a float as a whole number, and the power of ten that it is to be multiplied by.
+fn digits_of(x: f64) -> Option<(i128, i32)> {
+    let mut bytes = [0; 32];
+    let mut rest = bytes.as_mut_slice();
+    write!(rest, "{:.16e}", x.abs()).ok()?;
+    let left = rest.len();
+    let written = bytes.get(..bytes.len() - left)?;
+    let (digits, exponent) = str::from_utf8(written).ok()?.split_once('e')?;
+    let mut mantissa: i64 = 0;
+    for digit in digits.bytes().filter(|byte| *byte != b'.') {
+        let digit = digit.is_ascii_digit().then(|| i64::from(digit - b'0'))?;
+        mantissa = 10 * mantissa + digit;
+    }
+    let sign = if x < 0.0 { -1 } else { 1 };
+    let exponent: i32 = exponent.parse().ok()?;
+    Some((i128::from(sign * mantissa), exponent - 16))
+}
+
+/// 10ⁿ for n up to 38.
+fn power_of_ten(n: u32) -> i128 {
+    const POWERS: [i128; 39] = {
+        let mut powers = [1; 39];
+        let mut n = 1;
+        while n < powers.len() {
+            powers[n] = 10 * powers[n - 1];
+            n += 1;
+        }
+        powers
+    };
+    match POWERS.get(n as usize) {
+        Some(power) => *power,
+        None => 10_i128.pow(n),
     }
 }
 
@@ -168,6 +207,8 @@ impl Digits {
 enum State {
     /// Exact until it meets a number of a machine.
     Constant(Rational),
+    /// The same for an integer, of which there are many.
+    Whole(i64),
     Stored(Digits, Machine),
     None,
 }
@@ -183,6 +224,7 @@ impl Decimal {
     pub fn rational(&self) -> Option<Rational> {
         match &self.0 {
             State::Constant(q) => Some(q.clone()),
+            State::Whole(i) => Some(Rational::from(*i)),
             State::Stored(Digits { mantissa, exponent }, _) => {
                 let power = Rational::from(Integer::u_pow_u(10, exponent.unsigned_abs()));
                 let mantissa = Rational::from(*mantissa);
@@ -199,6 +241,7 @@ impl Decimal {
     fn to_float(&self) -> f64 {
         match &self.0 {
             State::Constant(q) => q.to_f64(),
+            State::Whole(i) => *i as f64,
             // Both are exact where the machine's exponents are moderate.
             State::Stored(Digits { mantissa, exponent }, _) if *exponent < 0 => {
                 f64::integer(*mantissa) / 10_f64.powi(-exponent)
@@ -210,18 +253,34 @@ impl Decimal {
         }
     }
 
-    /// Both operands in the machine of one of them.
-    fn stored(&self, other: &Self) -> Option<([Digits; 2], Machine)> {
-        match (&self.0, &other.0) {
-            (State::Stored(a, machine), State::Stored(b, _)) => Some(([*a, *b], *machine)),
-            (State::Stored(a, machine), State::Constant(b)) => {
-                Some(([*a, machine.of_rational(b).digits()?], *machine))
-            }
-            (State::Constant(a), State::Stored(b, machine)) => {
-                Some(([machine.of_rational(a).digits()?, *b], *machine))
-            }
+    fn machine(&self) -> Option<Machine> {
+        match self.0 {
+            State::Stored(_, machine) => Some(machine),
             _ => None,
         }
+    }
+
+    /// Both operands in the machine of one of them.
+    fn stored(&self, other: &Self) -> Option<([Digits; 2], Machine)> {
+        let machine = self.machine().or_else(|| other.machine())?;
+        Some((
+            [self.digits_in(machine)?, other.digits_in(machine)?],
+            machine,
+        ))
+    }
+
+    fn digits_in(&self, machine: Machine) -> Option<Digits> {
+        match &self.0 {
+            State::Constant(q) => machine.of_rational(q).digits(),
+            State::Whole(i) => machine.rounded((*i).into(), 0).digits(),
+            State::Stored(digits, _) => Some(*digits),
+            State::None => None,
+        }
+    }
+
+    /// An exact number that has not met a machine.
+    fn exact(&self) -> Option<Rational> {
+        self.machine().is_none().then(|| self.rational()).flatten()
     }
 
     fn digits(&self) -> Option<Digits> {
@@ -238,15 +297,13 @@ impl Decimal {
         of_constants: impl FnOnce(&Rational, &Rational) -> Option<Rational>,
         of_digits: impl FnOnce(Digits, Digits, Machine) -> Decimal,
     ) {
-        *self = match (&self.0, &other.0) {
-            (State::Constant(a), State::Constant(b)) => match of_constants(a, b) {
-                Some(q) => Decimal(State::Constant(q)),
-                None => Self::NONE,
-            },
-            _ => match self.stored(other) {
-                Some(([a, b], machine)) => of_digits(a, b, machine),
-                None => Self::NONE,
-            },
+        *self = match self.stored(other) {
+            Some(([a, b], machine)) => of_digits(a, b, machine),
+            None => {
+                let operands = self.exact().zip(other.exact());
+                let result = operands.and_then(|(a, b)| of_constants(&a, &b));
+                result.map_or(Self::NONE, Self::constant)
+            }
         };
     }
 
@@ -275,10 +332,10 @@ fn sum(a: Digits, b: Digits, machine: Machine) -> Decimal {
     let reach = machine.digits + 2;
     if shift > reach {
         let high_end = high.exponent.saturating_sub_unsigned(reach);
-        let whole = high.wide() * 10_i128.pow(reach);
+        let whole = high.wide() * power_of_ten(reach);
         return machine.with_rest(whole, low.mantissa.cmp(&0), high_end);
     }
-    machine.rounded(high.wide() * 10_i128.pow(shift) + low.wide(), low.exponent)
+    machine.rounded(high.wide() * power_of_ten(shift) + low.wide(), low.exponent)
 }
 
 fn product(a: Digits, b: Digits, machine: Machine) -> Decimal {
@@ -290,7 +347,7 @@ fn quotient(a: Digits, b: Digits, machine: Machine) -> Decimal {
         return Decimal::NONE;
     }
     let reach = machine.digits + 2;
-    let dividend = a.wide() * 10_i128.pow(reach);
+    let dividend = a.wide() * power_of_ten(reach);
     let rest = (dividend % b.wide()).signum() * b.wide().signum();
     let exponent = a
         .exponent
@@ -304,7 +361,7 @@ fn root(x: Digits, machine: Machine) -> Decimal {
         return Decimal::NONE;
     };
     let shift = machine.digits + 4 + u32::from(x.exponent & 1 == 1) + (machine.digits & 1);
-    let radicand = mantissa * 10_u128.pow(shift);
+    let radicand = mantissa * power_of_ten(shift).unsigned_abs();
     let whole = radicand.isqrt();
     let rest = (radicand - whole * whole).cmp(&0);
     let exponent = x.exponent.saturating_sub_unsigned(shift) / 2;
@@ -316,6 +373,10 @@ impl Kind for Decimal {
 
     fn constant(q: Rational) -> Self {
         Decimal(State::Constant(q))
+    }
+
+    fn integer(i: i64) -> Self {
+        Decimal(State::Whole(i))
     }
 
     fn add(&mut self, other: &Self) {
@@ -341,6 +402,10 @@ impl Kind for Decimal {
     fn negate(&mut self) {
         match &mut self.0 {
             State::Constant(q) => *q = Rational::from(-&*q),
+            State::Whole(i) => match i.checked_neg() {
+                Some(negative) => *i = negative,
+                None => *self = Self::constant(-Rational::from(*i)),
+            },
             State::Stored(digits, _) => digits.mantissa = -digits.mantissa,
             State::None => {}
         }
@@ -365,6 +430,7 @@ impl Real for Decimal {
     fn sign(&self) -> Option<Ordering> {
         match &self.0 {
             State::Constant(q) => Some(q.cmp0()),
+            State::Whole(i) => Some(i.cmp(&0)),
             State::Stored(digits, _) => Some(digits.mantissa.cmp(&0)),
             State::None => None,
         }
@@ -373,12 +439,11 @@ impl Real for Decimal {
     /// A constant keeps its root where that is rational.
     fn sqrt(&mut self) {
         *self = match &self.0 {
-            State::Constant(q) => match rational_sqrt(q.clone()) {
-                Some(root) => Decimal(State::Constant(root)),
+            State::Stored(digits, machine) => root(*digits, *machine),
+            _ => match self.exact().and_then(rational_sqrt) {
+                Some(root) => Self::constant(root),
                 None => Self::NONE,
             },
-            State::Stored(digits, machine) => root(*digits, *machine),
-            State::None => Self::NONE,
         };
     }
 

@@ -22,7 +22,7 @@ pub const EXCESSIVE_TERMS: usize = 1 << 13;
 /// a predicate on it answers [`Truth::Unknown`]. A result that merely cannot be told apart from
 /// such a case (an enclosure that holds zero as divisor) is no such thing: it has a value, of which
 /// nothing is known.
-pub trait Kind: Clone + Debug {
+pub trait Kind: Clone + Debug + 'static {
     /// Whether a number stands for many, one for each choice of its symbols. A predicate that
     /// answers yes is then true for all of them, but one that answers no says only that it is not
     /// true for all.
@@ -69,7 +69,7 @@ pub trait Kind: Clone + Debug {
 /// A kind whose numbers are real: they have a sign and, where not negative, a square root.
 pub trait Real: Kind {
     /// What a rounded number is rounded to: bits for balls, nothing for exact kinds.
-    type Precision: Clone + Debug;
+    type Precision: Clone + Debug + 'static;
 
     /// The rational number `q` as a number of this precision.
     fn rounded(q: &Rational, precision: &Self::Precision) -> Self;

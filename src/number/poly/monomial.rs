@@ -89,25 +89,28 @@ impl Monomial {
             .then(|| Monomial(difference.0.map(|word| word & !GUARDS)))
     }
 
+    /// The bytes of the first where they are at least those of the second, else of the third.
     #[expect(
         clippy::indexing_slicing,
-        reason = "there is a byte in both for every one of the result"
+        reason = "all four have as many words as the result"
     )]
-    fn bytewise(&self, other: &Self, choose: impl Fn(u8, u8) -> u8) -> Self {
-        self.zip(other, |a, b| {
-            let (a, b) = (a.to_le_bytes(), b.to_le_bytes());
-            u64::from_le_bytes(std::array::from_fn(|i| choose(a[i], b[i])))
-        })
+    fn choose(&self, other: &Self, [greater, less]: [&Self; 2]) -> Self {
+        Monomial(std::array::from_fn(|i| {
+            // The guard of a byte stays where nothing is borrowed.
+            let kept = (self.0[i] | GUARDS).wrapping_sub(other.0[i]) & GUARDS;
+            let mask = kept | (kept - (kept >> 7));
+            (greater.0[i] & mask) | (less.0[i] & !mask)
+        }))
     }
 
     /// The least common multiple.
     pub fn lcm(&self, other: &Self) -> Self {
-        self.bytewise(other, u8::max)
+        self.choose(other, [self, other])
     }
 
     /// The greatest common divisor.
     pub fn gcd(&self, other: &Self) -> Self {
-        self.bytewise(other, u8::min)
+        self.choose(other, [other, self])
     }
 
     /// The monomial whose square this is.
@@ -167,6 +170,23 @@ mod tests {
         assert_eq!(big.times(&big), None);
         assert_eq!(Monomial::power(7, 128), None);
         assert_eq!(Monomial::power(32, 1), None);
+    }
+
+    #[test]
+    fn multiples_and_divisors_go_byte_by_byte() {
+        let product = |exponents: &[u8]| {
+            let powers = exponents.iter().zip([0, 1, 7, 8, 31]);
+            powers.fold(Monomial::ONE, |product, (exponent, variable)| {
+                product
+                    .times(&Monomial::power(variable, *exponent).unwrap())
+                    .unwrap()
+            })
+        };
+        let (a, b) = (product(&[3, 0, 127, 126, 5]), product(&[2, 1, 126, 127, 5]));
+        for (a, b) in [(a, b), (b, a)] {
+            assert_eq!(a.lcm(&b), product(&[3, 1, 127, 127, 5]));
+            assert_eq!(a.gcd(&b), product(&[2, 0, 126, 126, 5]));
+        }
     }
 
     #[test]

@@ -362,8 +362,26 @@ fn fits(a: &[(usize, i64)], b: &[(usize, i64)]) -> bool {
     bits(a) + bits(b) + (usize::BITS - a.len().min(b.len()).leading_zeros()) <= 126
 }
 
-/// A product that waits in the division: index in the divisor, index in the quotient.
-type Waiting = (Monomial, usize, usize);
+/// What stands for a monomial in a division: in the same order, and as easily multiplied.
+trait Key: Copy + Ord {
+    fn product(self, other: Self) -> Self;
+}
+
+impl Key for Monomial {
+    fn product(self, other: Self) -> Self {
+        self.times_unchecked(&other)
+    }
+}
+
+/// The number in a [`Numbering`].
+impl Key for u64 {
+    fn product(self, other: Self) -> Self {
+        self + other
+    }
+}
+
+/// A product that waits in the division: index in the rest of the divisor, index in the quotient.
+type Waiting<K> = (K, usize, usize);
 
 /// The quotient where it is a polynomial with integer coefficients.
 #[expect(
@@ -372,7 +390,7 @@ type Waiting = (Monomial, usize, usize);
 )]
 pub(super) fn divide(dividend: &[Term], divisor: &[Term]) -> Option<Vec<Term>> {
     let (lead, rest) = divisor.split_first()?;
-    let Some(last) = dividend.last() else {
+    let (Some(last), Some(last_of_divisor)) = (dividend.last(), divisor.last()) else {
         return Some(Vec::new());
     };
     if rest.is_empty() {
@@ -386,43 +404,79 @@ pub(super) fn divide(dividend: &[Term], divisor: &[Term]) -> Option<Vec<Term>> {
     }
     // Degrees of a quotient are known in advance, and its smallest monomial as well: an attempt
     // that cannot succeed ends early, and no exponent overflows on the way.
-    let bounds = degrees(dividend).divided_by(&degrees(divisor))?;
-    let smallest = last.0.divided_by(&divisor.last()?.0)?;
-    let mut quotient: Vec<Term> = Vec::new();
-    let mut waiting: BinaryHeap<Waiting> = BinaryHeap::new();
-    let mut next = dividend.iter().peekable();
-    loop {
-        let monomial = match (next.peek(), waiting.peek()) {
-            (Some(term), Some(product)) => term.0.max(product.0),
-            (Some(term), None) => term.0,
-            (None, Some(product)) => product.0,
-            (None, None) => return Some(quotient),
-        };
-        let mut coefficient = match next.next_if(|term| term.0 == monomial) {
-            Some(term) => term.1.clone(),
-            None => Coefficient::ZERO,
-        };
-        while let Some((_, i, j)) = pop_equal(&mut waiting, &monomial) {
-            coefficient.sub_product(&rest[i].1, &quotient[j].1);
-            if let Some(term) = rest.get(i + 1) {
-                waiting.push((term.0.times_unchecked(&quotient[j].0), i + 1, j));
-            }
-        }
-        if coefficient.is_zero() {
-            continue;
-        }
-        let factor = monomial.divided_by(&lead.0)?;
-        bounds.divided_by(&factor)?;
-        if factor < smallest || quotient.len() >= MAX_TERMS {
-            return None;
-        }
-        waiting.push((rest[0].0.times_unchecked(&factor), 0, quotient.len()));
-        quotient.push((factor, coefficient.divide_exactly(&lead.1)?));
+    let degrees_of_dividend = degrees(dividend);
+    let division = Division {
+        dividend,
+        lead,
+        rest,
+        bounds: degrees_of_dividend.divided_by(&degrees(divisor))?,
+        smallest: last.0.divided_by(&last_of_divisor.0)?,
+    };
+    match Numbering::new(&degrees_of_dividend) {
+        Some(numbering) => division.quotient(|monomial| numbering.key(monomial)),
+        None => division.quotient(|monomial| *monomial),
     }
 }
 
-fn pop_equal(waiting: &mut BinaryHeap<Waiting>, monomial: &Monomial) -> Option<Waiting> {
-    if waiting.peek()?.0 == *monomial {
+struct Division<'a> {
+    dividend: &'a [Term],
+    lead: &'a Term,
+    rest: &'a [Term],
+    /// The largest exponents of the quotient.
+    bounds: Monomial,
+    /// Its last monomial.
+    smallest: Monomial,
+}
+
+impl Division<'_> {
+    fn quotient<K: Key>(&self, key: impl Fn(&Monomial) -> K) -> Option<Vec<Term>> {
+        let keys: Vec<K> = self.rest.iter().map(|term| key(&term.0)).collect();
+        let mut quotient: Vec<Term> = Vec::new();
+        let mut keys_of_quotient: Vec<K> = Vec::new();
+        let mut waiting: BinaryHeap<Waiting<K>> = BinaryHeap::new();
+        let mut next = self
+            .dividend
+            .iter()
+            .map(|term| (key(&term.0), term))
+            .peekable();
+        loop {
+            let largest = match (next.peek(), waiting.peek()) {
+                (Some((term, _)), Some((product, ..))) => *term.max(product),
+                (Some((term, _)), None) => *term,
+                (None, Some((product, ..))) => *product,
+                (None, None) => return Some(quotient),
+            };
+            let mut monomial = Monomial::ONE;
+            let mut coefficient = Coefficient::ZERO;
+            if let Some((_, term)) = next.next_if(|(key, _)| *key == largest) {
+                monomial = term.0;
+                coefficient = term.1.clone();
+            }
+            while let Some((_, i, j)) = pop_equal(&mut waiting, largest) {
+                monomial = self.rest[i].0.times_unchecked(&quotient[j].0);
+                coefficient.sub_product(&self.rest[i].1, &quotient[j].1);
+                if let Some(key) = keys.get(i + 1) {
+                    waiting.push((key.product(keys_of_quotient[j]), i + 1, j));
+                }
+            }
+            if coefficient.is_zero() {
+                continue;
+            }
+            let factor = monomial.divided_by(&self.lead.0)?;
+            self.bounds.divided_by(&factor)?;
+            if factor < self.smallest || quotient.len() >= MAX_TERMS {
+                return None;
+            }
+            let factor_key = key(&factor);
+            waiting.push((keys[0].product(factor_key), 0, quotient.len()));
+            quotient.push((factor, coefficient.divide_exactly(&self.lead.1)?));
+            keys_of_quotient.push(factor_key);
+        }
+    }
+}
+
+fn pop_equal<K: Key>(waiting: &mut BinaryHeap<Waiting<K>>, key: K) -> Option<Waiting<K>> {
+    if waiting.peek()?.0 == key {
         waiting.pop()
     } else {
         None

@@ -1,6 +1,8 @@
 //! What the figures list of a linkage: its dimensions, and the results of the program.
 
+use std::cell::OnceCell;
 use std::cmp::Ordering;
+use std::rc::Rc;
 
 use rug::Rational;
 
@@ -10,7 +12,7 @@ use crate::number::{Ball, Elementary, Number};
 use crate::plane::Point;
 use crate::scenes::Unbuilt;
 use crate::straight_line::design::Design;
-use crate::straight_line::deviation::arc::Arcs;
+use crate::straight_line::deviation::arc::{Arcs, Limit};
 use crate::straight_line::deviation::driven::Driven;
 use crate::straight_line::deviation::rows::Rows;
 use crate::straight_line::deviation::stepped::{Record, Rule, records};
@@ -70,28 +72,27 @@ pub fn bind<K: Elementary>(
     bindings.bind("epsilon", epsilon);
     let undecided = || Unbuilt::NotReal("an angle or a comparison is not decided".to_owned());
     let driven = Driven::new(design).ok_or_else(undecided)?;
-    let rows = Rows::new(&driven, &unit, &precision).ok_or_else(undecided)?;
     let bounds = levels.map(|(numerator, denominator)| Number::ratio(numerator, denominator));
     for (place, (numerator, denominator)) in levels.into_iter().enumerate() {
         let parts = Number::<K>::from(denominator / numerator);
         bindings.bind(&format!("n_{}", place + 1), parts);
     }
-    let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
-    let (from, to) = (side(-1), side(1));
-    let ends = from
-        .ok_or_else(undecided)?
-        .into_iter()
-        .zip(to.ok_or_else(undecided)?);
-    for (place, ends) in ends.enumerate() {
-        let (Some(from), Some(to)) = ends else {
-            return Err(Unbuilt::NotReal(
-                "half a turn keeps within a level".to_owned(),
-            ));
-        };
-        bind_level(&from, &to, place + 1, bindings).ok_or_else(undecided)?;
-    }
+    let names = (1..=levels.len()).flat_map(|level| RECORDED.map(|name| format!("{name}{level}")));
+    bindings.bind_later(names, move || {
+        let rows = Rows::new(&driven, &unit, &precision)?;
+        let side = |side| records(|degrees| rows.met(degrees), &bounds, side, rule);
+        let mut found = Vec::new();
+        for (from, to) in side(-1)?.into_iter().zip(side(1)?) {
+            // None where half a turn keeps within a level.
+            found.extend(recorded(&from?, &to?)?);
+        }
+        Some(found)
+    });
     Ok(())
 }
+
+/// What the program records for each level.
+const RECORDED: [&str; 5] = ["L_", "phi_", "psi_", "gamma_a", "gamma_b"];
 
 /// What a figure lists, and its linkage.
 pub type Listed<K> = (Bindings<K>, Design<K>);
@@ -105,40 +106,62 @@ pub fn with_arcs(
     let design = rounded(&design, &bits);
     let undecided = || Unbuilt::NotReal("the arc of a level is not decided".to_owned());
     let driven = Driven::new(&design).ok_or_else(undecided)?;
-    let (arcs, unit) = (Arcs::new(driven, bits), design.unit());
+    let (arcs, unit) = (Rc::new(Arcs::new(driven, bits)), design.unit());
     for (place, (numerator, denominator)) in levels.into_iter().enumerate() {
-        let bound = &unit * Number::<Ball>::ratio(numerator, denominator);
-        bind_arc(&arcs, &bound, &unit, place + 1, &mut bindings).ok_or_else(undecided)?;
+        let level = Rc::new(Level {
+            arcs: arcs.clone(),
+            bound: &unit * Number::<Ball>::ratio(numerator, denominator),
+            unit: unit.clone(),
+            ends: OnceCell::new(),
+        });
+        let numbered = |name: &str| format!("{name}{}e", place + 1);
+        let at_ends = level.clone();
+        let names = ["L_", "phi_", "gamma_a", "gamma_b"].map(numbered);
+        bindings.bind_later(names, move || at_ends.at_ends());
+        bindings.bind_later([numbered("psi_")], move || Some(vec![level.psi()?]));
     }
     Ok(bindings)
 }
 
-fn bind_arc(
-    arcs: &Arcs,
-    bound: &Number<Ball>,
-    unit: &Number<Ball>,
-    number: usize,
-    bindings: &mut Bindings<Ball>,
-) -> Option<()> {
-    let ends = arcs.within(bound)?;
-    let [from, to] = ends.each_ref().map(|end| arcs.position(end));
-    let (from, to) = (from?, to?);
-    let [at_from, at_to] = [&from, &to].map(|end| arcs.coordinates(end));
-    let [back, forth] = ends.each_ref().map(|end| arcs.turn_of_rocker(end));
-    let [first, second] = [&from, &to].map(|end| arcs.transmission_angles(end));
-    let mut bind =
-        |name: &str, value: Number<Ball>| bindings.bind(&format!("{name}{number}e"), value);
-    bind("L_", (&at_to[0] - &at_from[0]).abs() / unit);
-    bind("phi_", &ends[1].degrees - &ends[0].degrees);
-    bind("psi_", back?.abs() + forth?.abs());
-    for (name, (x, y)) in ["gamma_a", "gamma_b"]
-        .into_iter()
-        .zip(first.into_iter().zip(second))
-    {
-        let is_first = x.compare(&y)? == Ordering::Less;
-        bind(name, if is_first { x } else { y });
+/// The exact arc of a level.
+struct Level {
+    arcs: Rc<Arcs>,
+    bound: Number<Ball>,
+    unit: Number<Ball>,
+    ends: OnceCell<Option<[Limit; 2]>>,
+}
+
+impl Level {
+    fn ends(&self) -> Option<&[Limit; 2]> {
+        let within = || self.arcs.within(&self.bound);
+        self.ends.get_or_init(within).as_ref()
     }
-    Some(())
+
+    /// Travel, turn of R, and the lesser of both angles at either pin.
+    fn at_ends(&self) -> Option<Vec<Number<Ball>>> {
+        let Level { arcs, unit, .. } = self;
+        let ends = self.ends()?;
+        let [from, to] = ends.each_ref().map(|end| arcs.position(end));
+        let (from, to) = (from?, to?);
+        let [at_from, at_to] = [&from, &to].map(|end| arcs.coordinates(end));
+        let [first, second] = [&from, &to].map(|end| arcs.transmission_angles(end));
+        let mut found = vec![
+            (&at_to[0] - &at_from[0]).abs() / unit,
+            &ends[1].degrees - &ends[0].degrees,
+        ];
+        for (x, y) in first.into_iter().zip(second) {
+            let is_first = x.compare(&y)? == Ordering::Less;
+            found.push(if is_first { x } else { y });
+        }
+        Some(found)
+    }
+
+    /// The turn of T.
+    fn psi(&self) -> Option<Number<Ball>> {
+        let ends = self.ends()?.each_ref();
+        let [back, forth] = ends.map(|end| self.arcs.turn_of_rocker(end));
+        Some(back?.abs() + forth?.abs())
+    }
 }
 
 /// The same design in numbers of this precision: roots of exact ones would have none.
@@ -170,33 +193,22 @@ fn flat<K: Elementary>(opening: &Point<K>) -> Result<Number<K>, Unbuilt> {
     }
 }
 
-/// Binds what is recorded at both ends of a level; `None` where a comparison is not decided.
-fn bind_level<K: Elementary>(
-    from: &Record<K>,
-    to: &Record<K>,
-    number: usize,
-    bindings: &mut Bindings<K>,
-) -> Option<()> {
+/// What is recorded at both ends of a level; `None` where a comparison is not decided.
+fn recorded<K: Elementary>(from: &Record<K>, to: &Record<K>) -> Option<[Number<K>; 5]> {
     let lesser = |i: usize| -> Option<Number<K>> {
         let [x, y] = [from.row.gamma.get(i)?, to.row.gamma.get(i)?];
-        Some(
-            if x.compare(y)? == Ordering::Less {
-                x
-            } else {
-                y
-            }
-            .clone(),
-        )
+        let is_first = x.compare(y)? == Ordering::Less;
+        Some(if is_first { x } else { y }.clone())
     };
-    let psi = from.row.psi.abs() + to.row.psi.abs();
-    let mut bind = |name: &str, value: Number<K>| bindings.bind(&format!("{name}{number}"), value);
-    bind("L_", from.row.u.abs() + to.row.u.abs());
     let turn = to.degrees.max(0) - from.degrees.min(0);
-    bind("phi_", Number::from(i64::from(turn)));
-    bind("psi_", to_whole(&psi)?);
-    bind("gamma_a", lesser(0)?);
-    bind("gamma_b", lesser(1)?);
-    Some(())
+    let psi = from.row.psi.abs() + to.row.psi.abs();
+    Some([
+        from.row.u.abs() + to.row.u.abs(),
+        i64::from(turn).into(),
+        to_whole(&psi)?,
+        lesser(0)?,
+        lesser(1)?,
+    ])
 }
 
 /// A number that is not negative and less than 720 to the nearest whole one.
