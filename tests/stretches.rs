@@ -21,7 +21,6 @@ use burmester::plane::circular_cubic::Cubic;
 use burmester::plane::curve_type::CurveType;
 use burmester::plane::focal_cubic::FocalCubic;
 use burmester::plane::trace::{Branch, Trace};
-use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::{Value, json};
 use support::{Position, degenerate, four_positions};
@@ -479,42 +478,30 @@ fn compare(positions: &[Position], wishes: &Value) -> [usize; 2] {
     count
 }
 
-type Case = ([Position; 4], u8, [i64; 4]);
-
-/// Always the same cases: `usual` of them, or `all` where BURMESTER_LONG is 1; on two threads.
-fn cases(
-    [usual, all]: [usize; 2],
-    check: impl Fn([Position; 4], u8, [i64; 4]) -> [usize; 2] + Sync,
-) {
-    let is_long = std::env::var("BURMESTER_LONG").is_ok_and(|value| value == "1");
+fn cases(count: u32, mut check: impl FnMut([Position; 4], u8, [i64; 4]) -> [usize; 2]) {
     let strategy = (
         four_positions(),
         0u8..8,
         [-9i64..9, -9i64..9, 3i64..12, 3i64..12],
     );
     let mut runner = TestRunner::new_with_rng(
-        Config::default(),
+        Config::with_cases(count),
         proptest::test_runner::TestRng::deterministic_rng(
             proptest::test_runner::RngAlgorithm::ChaCha,
         ),
     );
-    let mut draw = || strategy.new_tree(&mut runner).unwrap().current();
-    let drawn: Vec<Case> = (0..if is_long { all } else { usual })
-        .map(|_| draw())
-        .collect();
-    let count = |cases: &[Case]| {
-        cases.iter().fold([0, 0], |[inside, outside], case| {
-            let (positions, choice, numbers) = case.clone();
-            let found = check(positions, choice, numbers);
-            [inside + found[0], outside + found[1]]
+    let total = std::cell::RefCell::new([0, 0]);
+    let check = std::cell::RefCell::new(&mut check);
+    runner
+        .run(&strategy, |(positions, choice, numbers)| {
+            let count = (check.borrow_mut())(positions, choice, numbers);
+            let mut total = total.borrow_mut();
+            total[0] += count[0];
+            total[1] += count[1];
+            Ok(())
         })
-    };
-    let (here, there) = drawn.split_at(drawn.len() / 2);
-    let [x, y] = std::thread::scope(|scope| {
-        let there = scope.spawn(|| count(there));
-        [count(here), there.join().unwrap()]
-    });
-    let [inside, outside] = [x[0] + y[0], x[1] + y[1]];
+        .unwrap();
+    let [inside, outside] = *total.borrow();
     assert!(
         inside > 100 && outside > 100,
         "{inside} places inside, {outside} outside"
@@ -523,7 +510,7 @@ fn cases(
 
 #[test]
 fn regions_and_order() {
-    cases([30, 30], |positions, choice, [x, y, w, h]| {
+    cases(30, |positions, choice, [x, y, w, h]| {
         let rectangle = json!({"box": [
             [x.to_string(), y.to_string()], [(x + w).to_string(), (y - h).to_string()],
         ]});
@@ -566,7 +553,7 @@ fn beside(positions: &[Position; 4]) -> Option<Value> {
 
 #[test]
 fn linkages() {
-    cases([30, 30], |positions, choice, _| {
+    cases(30, |positions, choice, _| {
         let Some(given) = beside(&positions) else {
             return [0, 0];
         };
@@ -585,7 +572,7 @@ fn linkages() {
 
 #[test]
 fn transmission_angles() {
-    cases([6, 18], |positions, choice, [_, _, degrees, _]| {
+    cases(18, |positions, choice, [_, _, degrees, _]| {
         let Some(given) = beside(&positions) else {
             return [0, 0];
         };
