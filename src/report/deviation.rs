@@ -163,9 +163,13 @@ impl Figure {
         let mut accuracies = Vec::new();
         let mut ends = Vec::new();
         for arc in &self.arcs {
-            let places = arc.ends.map(at).into_iter().flatten();
+            // In a dead centre rounding may lead beyond the end.
             let is_finite = |at: &Point| at.iter().all(|x| x.is_finite());
-            ends.extend(places.map(|end| point(&end.point)).filter(is_finite));
+            let place = |end: f64| {
+                let tried = [end, end * (1.0 - 1e-7)].map(at).into_iter().flatten();
+                tried.map(|end| point(&end.point)).find(is_finite)
+            };
+            ends.extend(arc.ends.into_iter().filter_map(place));
             let decimals = format!("{:.12}", arc.bound);
             accuracies.push(decimals.trim_end_matches('0').to_owned());
         }

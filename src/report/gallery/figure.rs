@@ -4,7 +4,7 @@
 use serde_json::Value;
 
 use super::{Entry, GalleryError};
-use crate::ledger::built_in;
+use crate::ledger::Paper;
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::{Complex, Number};
 use crate::oracle;
@@ -28,9 +28,8 @@ pub fn of_design(entry: &Entry, problem: &Value) -> Result<String, GalleryError>
 }
 
 /// The linkage of a printed example.
-pub fn of_example(entry: &Entry) -> Result<String, GalleryError> {
+pub fn of_example(entry: &Entry, papers: &[Paper]) -> Result<String, GalleryError> {
     let nothing = || GalleryError::Nothing(entry.title.clone());
-    let papers = built_in()?;
     let name = entry.example.as_deref().ok_or_else(nothing)?;
     let wanted = format!(": {name}");
     let (statement, example) = papers

@@ -16,7 +16,7 @@ use serde_json::Value;
 use thiserror::Error;
 
 use super::canvas::escaped;
-use crate::ledger::PaperError;
+use crate::ledger::{Paper, PaperError, built_in};
 use crate::oracle::{Arithmetic, ProblemError, Request, solve};
 use crate::scenes::Unbuilt;
 
@@ -90,15 +90,19 @@ struct Entry {
 pub fn of_source(key: &str) -> Result<Vec<Exhibit>, GalleryError> {
     let list: List = toml::from_str(include_str!("../../../data/pictures.toml"))?;
     let entries = list.picture.into_iter();
-    entries
-        .filter(|entry| entry.source == key)
-        .map(Entry::drawn)
-        .collect()
+    let entries: Vec<Entry> = entries.filter(|entry| entry.source == key).collect();
+    let papers = if entries.iter().any(|entry| entry.example.is_some()) {
+        built_in()?
+    } else {
+        Vec::new()
+    };
+    let drawn = entries.into_iter().map(|entry| entry.drawn(&papers));
+    drawn.collect()
 }
 
 impl Entry {
-    fn drawn(self) -> Result<Exhibit, GalleryError> {
-        let svg = titled(&self.svg()?, &self.title);
+    fn drawn(self, papers: &[Paper]) -> Result<Exhibit, GalleryError> {
+        let svg = titled(&self.svg(papers)?, &self.title);
         Ok(Exhibit {
             beside: self.beside,
             title: self.title,
@@ -108,11 +112,11 @@ impl Entry {
         })
     }
 
-    fn svg(&self) -> Result<String, GalleryError> {
+    fn svg(&self, papers: &[Paper]) -> Result<String, GalleryError> {
         let problem = self.problem()?;
         let nothing = || GalleryError::Nothing(self.title.clone());
         match (self.drawing.as_deref(), &problem) {
-            (Some("figure"), _) => figure::of_example(self),
+            (Some("figure"), _) => figure::of_example(self, papers),
             (Some(drawing), problem) => {
                 let answer = problem.as_ref().map(|problem| self.solved(problem));
                 let answer = answer.transpose()?;

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::super::sense::sense;
+use super::super::symmetric_linkage::central_position;
 use super::results::COARSE;
 use super::{evans, precision_points};
 use crate::formula::Formula;
+use crate::number::Number;
 use crate::scenes::free::Given;
 use crate::scenes::{Free, Unbuilt};
 use crate::straight_line::design::Design;
@@ -17,6 +20,7 @@ pub fn drawn_linkage(scene: &str, parameters: &BTreeMap<String, Formula>) -> Opt
     let free = &mut Given::<f64>::new(parameters, ());
     let design = match scene {
         "tesar1964/evans-figure" => rolling(free),
+        "tesar1964/symmetric-figure" => symmetric(free),
         "tesar1964/burmester-figure" => precision_points::measured(free).map(|(design, _)| design),
         _ => return None,
     };
@@ -28,4 +32,14 @@ fn rolling(free: &mut dyn Free<f64>) -> Result<Design<f64>, Unbuilt> {
     let omega = free.angle("omega")?;
     let (rho, k) = (free.number("rho")?, free.number("k")?);
     evans::design(&omega, &rho, &k).map_err(|reason| Unbuilt::NotReal(reason.to_string()))
+}
+
+fn symmetric(free: &mut dyn Free<f64>) -> Result<Design<f64>, Unbuilt> {
+    let half = free.length("|a|")?;
+    let sense = sense(free, "sign of a")?;
+    let (c, d) = (free.number("c")?, free.number("d")?);
+    Ok(Design {
+        linkage: central_position(&half, &sense, &c, &d),
+        direction: Number::one(),
+    })
 }
