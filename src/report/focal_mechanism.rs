@@ -195,6 +195,7 @@ fn draw_paths(canvas: &mut Canvas, sweep: &[Vec<Option<Posture>>]) {
 }
 
 fn explain(canvas: &mut Canvas) {
+    canvas.scale("units of the lengths");
     canvas.explain(Stroke::Crank, "crank SF");
     canvas.explain(Stroke::Bar, "bars of the mechanism");
     canvas.explain(Stroke::MainPath, "path of the coupler point T");

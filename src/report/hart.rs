@@ -166,6 +166,7 @@ fn draw_paths(canvas: &mut Canvas, sweep: &[Vec<Option<Posture>>]) {
 }
 
 fn explain(canvas: &mut Canvas) {
+    canvas.scale("units of the lengths");
     canvas.explain(Stroke::Bar, "bars of the mechanism");
     canvas.explain(Stroke::MainPath, "straight line of F");
     canvas.explain(Stroke::Path, "path of the middle of PF");

@@ -56,6 +56,7 @@ pub fn picture(problem: &Value, answer: &Value) -> Option<String> {
     }
     canvas.joint(pin, Joint::Moving, "D");
     canvas.joint([0.0, 0.0], Joint::Mark, "P");
+    canvas.scale("diameters of the inflection circle");
     canvas.explain(
         Stroke::Guide,
         "inflection circle, its diameter the unit; the pole tangent is horizontal",

@@ -69,6 +69,7 @@ pub fn picture(answer: &Value) -> Option<String> {
     for (number, at) in met.into_iter().enumerate() {
         canvas.joint(at, Joint::Mark, &format!("D_{}", number + 2));
     }
+    canvas.scale("units of the design");
     canvas.explain(Stroke::MainPath, "path of D");
     canvas.explain(Stroke::Guide, "the line that it keeps to");
     canvas.explain(Stroke::Crank, "cranks");

@@ -11,6 +11,7 @@ use std::fmt::Write;
 use self::level::level_curves;
 use self::table::Table;
 use super::canvas::{Point, escaped};
+use super::labels::name_svg;
 use crate::number::count;
 
 /// Pixels a degree.
@@ -106,6 +107,15 @@ impl Page {
         );
     }
 
+    /// The name of an axis.
+    fn axis(&mut self, [x, y]: Point, name: &str) {
+        draw!(
+            self,
+            r##"<text x="{x:.1}" y="{y:.1}" font-size="17" text-anchor="middle" fill="#263238">{}</text>"##,
+            name_svg(name)
+        );
+    }
+
     fn line(&mut self, [from, to]: [Point; 2], look: &str) {
         draw!(
             self,
@@ -143,9 +153,9 @@ impl Page {
             }
         }
         let [x, y] = place([0.0, 90.0]);
-        self.text([x, y + 46.0], "middle", 17, "α_b");
+        self.axis([x, y + 46.0], "α_b");
         let [x, y] = place([45.0, 0.0]);
-        self.text([x - 44.0, y], "middle", 17, "α_a");
+        self.axis([x - 48.0, y], "α_a");
     }
 
     /// Linkages of bad proportions, and none, in rows.
@@ -222,7 +232,7 @@ impl Page {
             r##"stroke="#cfd8dc" stroke-width="14""##,
         ];
         let words = [
-            "travel L in units (Q + R + S + T + (M + N)/2)/5, in steps of 0.1, the crank R = O_aA being turned",
+            "travel L in units (Q + R + S + T + (M + N)/2)/5, in steps of 0.1, the crank R at A being turned",
             "change points: crank-and-lever on one side, double lever on the other",
             "longest link more than five times the shortest, or no linkage",
         ];
