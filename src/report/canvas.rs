@@ -444,14 +444,36 @@ fn draw_name(svg: &mut String, name: &str, [u, v]: Point) {
     if name.is_empty() {
         return;
     }
+    // An index is a text of its own: not every viewer centers a text of several parts.
+    let (letters, index, middle) = match name.split_once('_') {
+        Some((letters, index)) if !index.contains('_') => {
+            let count = |text: &str| text.chars().count() as f64;
+            (
+                letters,
+                index,
+                u + 5.0 * count(letters) - 3.3 * count(index),
+            )
+        }
+        _ => (name, "", u),
+    };
+    let anchor = if index.is_empty() { "middle" } else { "end" };
     // The halo is a text of its own: not every viewer paints outlines below fillings.
     for halo in [r##"stroke="#ffffff" stroke-width="4""##, ""] {
         let _ = writeln!(
             svg,
-            r##"<text x="{u:.1}" y="{:.1}" font-size="17" font-style="italic" text-anchor="middle" fill="#263238" {halo}>{}</text>"##,
+            r##"<text x="{middle:.1}" y="{:.1}" font-size="17" font-style="italic" text-anchor="{anchor}" fill="#263238" {halo}>{}</text>"##,
             v + 6.0,
-            name_svg(name)
+            name_svg(letters)
         );
+        if !index.is_empty() {
+            let _ = writeln!(
+                svg,
+                r##"<text x="{:.1}" y="{:.1}" font-size="12" font-style="italic" fill="#263238" {halo}>{}</text>"##,
+                middle + 0.5,
+                v + 10.0,
+                escaped(index)
+            );
+        }
     }
 }
 
