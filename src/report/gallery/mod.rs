@@ -1,7 +1,7 @@
 //! The pictures beside the statements of a source, drawn from our own results.
 //!
-//! Which there are is said in `data/pictures.toml`: each is a problem with its answer, or one of the
-//! [`drawings`] that no problem asks for.
+//! Which there are is said in `data/pictures.toml`: each is a problem with its answer, a linkage of a
+//! printed example, or a drawing that no problem asks for.
 
 mod compatibility_triangle;
 mod conformal_sketch;
