@@ -208,7 +208,7 @@ mod tests {
         let texts = |text: &str, spans: &[Span]| -> Vec<String> {
             spans
                 .iter()
-                .map(|span| text[span.clone()].to_owned())
+                .map(|span| text.get(span.clone()).unwrap().to_owned())
                 .collect()
         };
         [texts(left, &found.left), texts(right, &found.right)]

@@ -164,6 +164,10 @@ fn digits_of(x: f64) -> Option<(i128, i32)> {
 
 /// 10ⁿ for n up to 38.
 fn power_of_ten(n: u32) -> i128 {
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "the compiler evaluates it, and refuses an index out of bounds"
+    )]
     const POWERS: [i128; 39] = {
         let mut powers = [1; 39];
         let mut n = 1;
@@ -173,7 +177,8 @@ fn power_of_ten(n: u32) -> i128 {
         }
         powers
     };
-    match POWERS.get(n as usize) {
+    let power = usize::try_from(n).ok().and_then(|n| POWERS.get(n));
+    match power {
         Some(power) => *power,
         None => 10_i128.pow(n),
     }
@@ -241,7 +246,7 @@ impl Decimal {
     fn to_float(&self) -> f64 {
         match &self.0 {
             State::Constant(q) => q.to_f64(),
-            State::Whole(i) => *i as f64,
+            State::Whole(i) => f64::integer(*i),
             // Both are exact where the machine's exponents are moderate.
             State::Stored(Digits { mantissa, exponent }, _) if *exponent < 0 => {
                 f64::integer(*mantissa) / 10_f64.powi(-exponent)

@@ -171,8 +171,8 @@ pub fn across([a, b, c]: [f64; 3], (low, high): (Point, Point)) -> Vec<Point> {
     let foot = [middle[0] - a * from_line, middle[1] - b * from_line];
     let direction = [-b, a];
     let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
-    for axis in 0..2 {
-        let [p, q] = [low, high].map(|side| (side[axis] - foot[axis]) / direction[axis]);
+    for (((low, high), foot), direction) in low.into_iter().zip(high).zip(foot).zip(direction) {
+        let [p, q] = [low, high].map(|side| (side - foot) / direction);
         if p.is_finite() && q.is_finite() {
             ends = [ends[0].max(p.min(q)), ends[1].min(p.max(q))];
         }

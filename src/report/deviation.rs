@@ -5,9 +5,9 @@ use serde_json::Value;
 
 use super::canvas::{Canvas, Joint, Point, Stroke};
 use super::complex::{Z, point, z};
-use super::number;
 use super::plot::{Plot, block};
 use super::straight_line::Linkage;
+use super::{number, numbers};
 use crate::linkage::cognates::CouplerPoint;
 use crate::number::Number;
 use crate::straight_line::design::Design;
@@ -49,7 +49,7 @@ impl Arc {
     fn read(level: &Value) -> Option<Self> {
         Some(Arc {
             bound: number(&level["D"])?,
-            ends: [number(&level["phi"][0])?, number(&level["phi"][1])?],
+            ends: numbers(&level["phi"])?,
         })
     }
 }
@@ -91,10 +91,11 @@ impl Figure {
     /// u and v on the longest arc after every so many degrees of the crank.
     pub(super) fn deviations(&self, step: f64) -> Vec<Point> {
         let [from, to] = self.longest().map_or([0.0; 2], |arc| arc.ends);
-        let first = (from / step).ceil() as i32;
-        let last = (to / step).floor() as i32;
-        (first..=last)
-            .filter_map(|place| row(&self.driven, step * f64::from(place)))
+        let first = (from / step).ceil();
+        let places = std::iter::successors(Some(first), |place| Some(place + 1.0));
+        places
+            .take_while(|place| step * place <= to)
+            .filter_map(|place| row(&self.driven, step * place))
             .map(|[u, v, _]| [u, v])
             .collect()
     }
@@ -201,7 +202,7 @@ impl Figure {
 
 /// A direction that is given by its angle.
 fn turn(answer: &Value, name: &str) -> Option<Z> {
-    let (sin, cos) = number(&answer[name]["degrees"])?.to_radians().sin_cos();
+    let (sin, cos) = number(answer[name].get("degrees")?)?.to_radians().sin_cos();
     Some(z(cos, sin))
 }
 

@@ -1,6 +1,7 @@
 //! Places for the names of joints, apart from all that is drawn.
 
 use super::canvas::{Point, escaped};
+use crate::number::count;
 
 /// Places around a joint that are tried.
 const WAYS: u32 = 24;
@@ -41,9 +42,11 @@ impl Labels {
                 continue;
             }
             let steps = (length / STEP).ceil().max(1.0);
-            for step in 0..=steps as u32 {
-                let part = f64::from(step) / steps;
-                let at = [0, 1].map(|axis: usize| from[axis] + part * (to[axis] - from[axis]));
+            let parts = std::iter::successors(Some(0.0), |step| Some(step + 1.0));
+            for step in parts.take_while(|step| *step <= steps) {
+                let part = step / steps;
+                let ([x, y], [u, v]) = (from, to);
+                let at = [x + part * (u - x), y + part * (v - y)];
                 if matters(&at) {
                     self.lines.push(at);
                 }
@@ -62,7 +65,7 @@ impl Labels {
             .filter(|at| distance(at, &joint) < NEAR)
             .collect();
         // A name is wider than high.
-        let half = 3.5 * name.chars().filter(|letter| *letter != '_').count() as f64;
+        let half = 3.5 * count::to_f64(name.chars().filter(|letter| *letter != '_').count());
         let mut best = ([x + 14.0, y - 12.0], f64::NEG_INFINITY);
         for (rank, radius) in RADII.iter().enumerate() {
             for way in 0..WAYS {
@@ -84,7 +87,7 @@ impl Labels {
                     .min(room(&lines, 11.0))
                     .min(room(&self.names, 24.0))
                     .min(inside)
-                    - 0.12 * rank as f64;
+                    - 0.12 * count::to_f64(rank);
                 if score > best.1 + 1e-9 {
                     best = (at, score);
                 }

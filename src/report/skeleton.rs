@@ -86,12 +86,13 @@ fn longest_run(row: &[Option<Posture>]) -> Vec<usize> {
     let Some(gap) = row.iter().position(Option::is_none) else {
         return (0..row.len()).collect();
     };
-    let round = (0..row.len()).map(|step| (gap + step) % row.len());
+    let places: Vec<_> = row.iter().enumerate().collect();
+    let round = places.iter().cycle().skip(gap).take(row.len());
     let mut best: Vec<usize> = Vec::new();
     let mut run: Vec<usize> = Vec::new();
-    for place in round {
-        if row[place].is_some() {
-            run.push(place);
+    for (place, posture) in round {
+        if posture.is_some() {
+            run.push(*place);
         } else {
             run.clear();
         }

@@ -384,10 +384,6 @@ impl Key for u64 {
 type Waiting<K> = (K, usize, usize);
 
 /// The quotient where it is a polynomial with integer coefficients.
-#[expect(
-    clippy::indexing_slicing,
-    reason = "what waits holds places in the rest of the divisor and in the quotient"
-)]
 pub(super) fn divide(dividend: &[Term], divisor: &[Term]) -> Option<Vec<Term>> {
     let (lead, rest) = divisor.split_first()?;
     let (Some(last), Some(last_of_divisor)) = (dividend.last(), divisor.last()) else {
@@ -429,6 +425,10 @@ struct Division<'a> {
 }
 
 impl Division<'_> {
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "products wait by the places of their factors, and the divisor has a term beside its first"
+    )]
     fn quotient<K: Key>(&self, key: impl Fn(&Monomial) -> K) -> Option<Vec<Term>> {
         let keys: Vec<K> = self.rest.iter().map(|term| key(&term.0)).collect();
         let mut quotient: Vec<Term> = Vec::new();

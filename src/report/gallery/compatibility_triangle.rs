@@ -40,10 +40,13 @@ impl Closure {
         let start = first.translation.clone();
         let turns = rest.each_ref().map(|p| &p.rotation * first.rotation.conj());
         let steps = rest.each_ref().map(|p| &p.translation - &start);
+        let columns = |k: usize| turns.get(k).zip(steps.get(k));
         let det = |i: usize, j: usize| {
-            (&turns[i] - z(1.0, 0.0)) * &steps[j] - (&turns[j] - z(1.0, 0.0)) * &steps[i]
+            let ((turn, step), (other_turn, other_step)) = columns(i).zip(columns(j))?;
+            let one = z(1.0, 0.0);
+            Some((turn - &one) * other_step - (other_turn - &one) * step)
         };
-        let deltas = [-det(1, 2), det(0, 2), -det(0, 1)];
+        let deltas = [-det(1, 2)?, det(0, 2)?, -det(0, 1)?];
         Some(Closure {
             start,
             turns,
@@ -84,8 +87,8 @@ impl Closure {
     fn add(&self, gamma: f64, reach: f64, rows: &mut [Vec<Point>; 2]) {
         let gap = [f64::NAN; 2];
         let both = self.assemblies(gamma);
-        for (place, row) in rows.iter_mut().enumerate() {
-            let at = both.as_ref().map_or(gap, |both| both[place].center);
+        let centers = both.map_or([gap; 2], |both| both.map(|assembly| assembly.center));
+        for (at, row) in centers.into_iter().zip(rows) {
             let jumps = |last: &Point| distance(*last, at) > reach / 3.0;
             if row.last().is_some_and(jumps) {
                 row.push(gap);
@@ -227,7 +230,10 @@ pub fn sweeps(problem: &Value, answer: &Value) -> Option<String> {
     for (_, at) in &known {
         canvas.show(*at);
     }
-    if let Some(focus) = finite_point(&answer["centerpoint"]["focus"]) {
+    if let Some(focus) = answer
+        .get("centerpoint")
+        .and_then(|curve| finite_point(&curve["focus"]))
+    {
         canvas.show(focus);
     }
     let window = canvas.window();

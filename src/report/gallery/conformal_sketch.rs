@@ -29,6 +29,10 @@ struct Sketch {
 }
 
 impl Sketch {
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "places of four corners and sides, counted modulo four"
+    )]
     fn of(poles: FourPoles) -> Option<Self> {
         let sides = poles.sides();
         let by_length = |a: &usize, b: &usize| sides[*a].total_cmp(&sides[*b]);

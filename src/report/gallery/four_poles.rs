@@ -56,8 +56,13 @@ impl FourPoles {
 
     /// The lengths of the sides.
     pub fn sides(&self) -> [f64; 4] {
-        [0, 1, 2, 3]
-            .map(|place: usize| distance(self.corners[place], self.corners[(place + 1) % 4]))
+        let [a, b, c, d] = self.corners;
+        [
+            distance(a, b),
+            distance(b, c),
+            distance(c, d),
+            distance(d, a),
+        ]
     }
 }
 

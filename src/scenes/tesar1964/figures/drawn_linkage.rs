@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rug::Rational;
+
 use super::super::sense::sense;
 use super::super::symmetric_linkage::central_position;
 use super::results::COARSE;
@@ -24,7 +26,7 @@ pub fn drawn_linkage(scene: &str, parameters: &BTreeMap<String, Formula>) -> Opt
         "tesar1964/burmester-figure" => precision_points::measured(free).map(|(design, _)| design),
         _ => return None,
     };
-    let levels = COARSE.map(|(numerator, denominator)| numerator as f64 / denominator as f64);
+    let levels = COARSE.map(|ratio| Rational::from(ratio).to_f64());
     Some(design.map(|design| (design, levels.to_vec())))
 }
 
