@@ -242,6 +242,17 @@ fn pictures_are_written_whole_or_not_at_all() {
     );
 }
 
+/// Before any work is done.
+#[test]
+fn a_report_needs_a_folder_that_can_be_written() {
+    let folder = folder("report");
+    let file = folder.join("file");
+    fs::write(&file, "").unwrap();
+    let inside = file.join("site");
+    let output = burmester(&["report", "-o", inside.to_str().unwrap()], b"");
+    assert_refused(&output, &["file/site"]);
+}
+
 #[test]
 fn wrong_mechanisms_get_one_helpful_line() {
     refused_problem(

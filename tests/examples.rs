@@ -58,15 +58,18 @@ fn blocks(page: &str) -> Vec<String> {
     commands.map(str::to_owned).collect()
 }
 
-/// Runs a block as it stands, with its pictures in another folder, and another program in place of the reader's.
+/// Runs a block as it stands, with what it writes in another folder, another program in place of the reader's,
+/// and a coarse chart.
 fn run(block: &str, folder: &Path) -> String {
     let program = env!("CARGO_BIN_EXE_burmester");
     let folder = folder.to_str().unwrap();
     let candidate = "score --problems hart -- sh scripts/candidates/burmester_f64.sh";
     let script = block
-        .replace("cargo run --release --", program)
         .replace("score -- python3 mine.py", candidate)
-        .replace("--svg ", &format!("--svg {folder}/"));
+        .replace("--svg ", &format!("--svg {folder}/"))
+        .replace("-- report ", &format!("-- report -o {folder}/site "))
+        .replace("chart -o ", &format!("chart --step 30 -o {folder}/"))
+        .replace("cargo run --release --", program);
     let output = Command::new("sh")
         .args(["-e", "-c", &script])
         .env("BURMESTER", program)

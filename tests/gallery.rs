@@ -94,5 +94,6 @@ fn length(path: &str) -> f64 {
         .filter(|text| !text.is_empty())
         .map(|text| text.parse().unwrap())
         .collect();
-    (numbers[2] - numbers[0]).hypot(numbers[3] - numbers[1])
+    let [x, y, u, v] = numbers.try_into().unwrap();
+    (u - x).hypot(v - y)
 }

@@ -1,4 +1,5 @@
-//! Every statement of the data has the verdict that the data expect.
+//! Every statement of the data has the verdict that the data expect, and the list of errata and the site say
+//! what was found.
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -7,10 +8,12 @@
     reason = "a test stops where something is wrong"
 )]
 
+use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
 
 use burmester::ledger::{self, Judged, Options, Paper};
 use burmester::report::errata;
+use burmester::report::site::site;
 
 /// All sources, judged once for all tests.
 fn judged() -> &'static [Judged<'static>] {
@@ -51,4 +54,79 @@ fn the_list_of_errata_is_up_to_date() {
         computed == include_str!("../ERRATA.md"),
         "ERRATA.md differs from what is computed; `burmester report -o site` writes site/ERRATA.md, copy it"
     );
+}
+
+/// What stands in an attribute, wherever it occurs in a page.
+fn attributes<'a>(page: &'a str, name: &str) -> Vec<&'a str> {
+    let start = format!(" {name}=\"");
+    page.split(start.as_str())
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .collect()
+}
+
+#[test]
+fn the_site_shows_every_statement_and_its_links_lead_somewhere() {
+    let files = site(judged(), || ()).unwrap();
+    let mut ids: HashMap<&str, HashSet<&str>> = HashMap::new();
+    for file in files.iter().filter(|file| file.path.ends_with(".html")) {
+        let of_page = attributes(&file.text, "id");
+        let once: HashSet<&str> = of_page.iter().copied().collect();
+        assert_eq!(
+            of_page.len(),
+            once.len(),
+            "an id of {} stands twice",
+            file.path
+        );
+        ids.insert(&file.path, once);
+    }
+    let paths: HashSet<&str> = files.iter().map(|file| file.path.as_str()).collect();
+    let mut count = 0;
+    for file in files.iter().filter(|file| file.path.ends_with(".html")) {
+        for link in attributes(&file.text, "href") {
+            if link.contains(':') {
+                continue;
+            }
+            let (target, place) = link.split_once('#').unwrap_or((link, ""));
+            let target = target.split('?').next().unwrap_or(target);
+            let target = match target {
+                "" => file.path.clone(),
+                _ if file.path.contains('/') && target.starts_with("../") => {
+                    target.replace("../", "")
+                }
+                _ => target.to_owned(),
+            };
+            assert!(
+                paths.contains(target.as_str()),
+                "{} leads to {link}",
+                file.path
+            );
+            let known = place.is_empty()
+                || ids
+                    .get(target.as_str())
+                    .is_some_and(|ids| ids.contains(place));
+            assert!(
+                known,
+                "{} leads to {link}, and there is no such place",
+                file.path
+            );
+            count += 1;
+        }
+    }
+    assert!(count > 5000, "{count} links");
+    for paper in judged() {
+        let page = &ids[format!("{}.html", paper.paper.key).as_str()];
+        for one in paper.decided() {
+            let (_, rest) = one.statement.id.split_once('/').unwrap();
+            let plain = rest
+                .chars()
+                .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || "/-_.".contains(c));
+            let place = rest.replace('/', "~");
+            assert!(
+                !plain || page.contains(place.as_str()),
+                "{} is not shown",
+                one.statement.id
+            );
+        }
+    }
 }

@@ -20,6 +20,25 @@ function pagesBelow(folder) {
 const pages = pagesBelow(site).sort();
 const named = (page) => relative(site, page);
 
+const idsOf = new Map();
+function checkLink(name, link) {
+  const url = new URL(link);
+  if (url.protocol !== "file:") return;
+  const path = decodeURIComponent(url.pathname);
+  if (!idsOf.has(path)) {
+    let text = null;
+    try {
+      text = readFileSync(path, "utf8");
+    } catch {
+      text = null;
+    }
+    idsOf.set(path, text && new Set([...text.matchAll(/\bid="([^"]+)"/g)].map((match) => match[1])));
+  }
+  const ids = idsOf.get(path);
+  if (!ids) fault(name, `leads to ${link}, which is not there`);
+  else if (url.hash && !ids.has(decodeURIComponent(url.hash.slice(1)))) fault(name, `leads to ${link}, and there is no such place`);
+}
+
 // The validator. Style that is no matter of validity is left to us.
 const validator = new HtmlValidate({
   extends: ["html-validate:standard"],
@@ -94,25 +113,6 @@ for (const [colorScheme, list] of Object.entries(schemes)) {
   console.log(`${list.length} pages seen in ${colorScheme} colours`);
 }
 
-const idsOf = new Map();
-function checkLink(name, link) {
-  const url = new URL(link);
-  if (url.protocol !== "file:") return;
-  const path = decodeURIComponent(url.pathname);
-  if (!idsOf.has(path)) {
-    let text = null;
-    try {
-      text = readFileSync(path, "utf8");
-    } catch {
-      text = null;
-    }
-    idsOf.set(path, text && new Set([...text.matchAll(/\bid="([^"]+)"/g)].map((match) => match[1])));
-  }
-  const ids = idsOf.get(path);
-  if (!ids) fault(name, `leads to ${link}, which is not there`);
-  else if (url.hash && !ids.has(decodeURIComponent(url.hash.slice(1)))) fault(name, `leads to ${link}, and there is no such place`);
-}
-
 // What a reader does.
 const context = await browser.newContext();
 const page = await context.newPage();
@@ -144,7 +144,7 @@ const wrong = await page.locator('.statement[data-verdict="fails"], .statement[d
 if (errata !== wrong || errata >= all) fault("filter", `${errata} shown of ${wrong} errata and ${all} statements`);
 await page.click('button[data-show="all"]');
 if ((await visible()) !== all) fault("filter", "does not show all again");
-await open("tesar1964.html?show=contradicted");
+await page.goto(`${pathToFileURL(join(site, "tesar1964.html")).href}?show=contradicted`);
 if ((await page.locator('.statement[data-verdict="holds"]:visible').count()) > 0) fault("filter", "the address does not choose");
 
 await open("wunderlich1968.html");

@@ -27,5 +27,6 @@ if [ -z "$site" ]; then
   (cd "$project" && cargo run --quiet --release -- report -o "$site")
 fi
 [ -f "$site/index.html" ] || missing "$site/index.html" "it by: burmester report -o DIR"
+site="$(cd "$site" && pwd)"
 cd "$tools"
-node check.mjs "$browser" "$(cd "$site" && pwd)"
+node check.mjs "$browser" "$site"

@@ -98,6 +98,9 @@ fn function_name(function: Function) -> String {
 /// The sign between a function and its argument, which is heard and not seen.
 const APPLICATION: &str = "<mo>\u{2061}</mo>";
 
+/// Between the name of a function and what stands beside it without parentheses.
+const THIN_SPACE: &str = "<mspace width=\"0.17em\"/>";
+
 impl Style for MathMl<'_> {
     const SHAPED: bool = true;
 
@@ -184,7 +187,7 @@ impl Style for MathMl<'_> {
             Some(exponent) => format!("<msup>{name}{}</msup>", row(exponent)),
             None => name,
         };
-        format!("{name}{APPLICATION}{argument}")
+        format!("{THIN_SPACE}{name}{APPLICATION}{THIN_SPACE}{argument}")
     }
 
     fn fenced(&self, open: &str, parts: &[String], close: &str) -> String {

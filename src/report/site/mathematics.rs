@@ -38,8 +38,20 @@ pub fn in_line(formula: &Formula) -> Markup {
     )
 }
 
+/// Marks say something where not all is marked.
+fn partly<'a>(formula: &Formula, marked: &'a [Span]) -> &'a [Span] {
+    let all = formula
+        .claims
+        .iter()
+        .all(|claim| marked.contains(&claim.span));
+    if all { &[] } else { marked }
+}
+
 /// Two formulas with what differs marked in each.
 pub fn side_by_side(printed: &Formula, right: &Formula) -> [Markup; 2] {
     let found = difference(printed, right);
-    [lines(printed, &found.left), lines(right, &found.right)]
+    [
+        lines(printed, partly(printed, &found.left)),
+        lines(right, partly(right, &found.right)),
+    ]
 }

@@ -71,7 +71,7 @@ struct Section<'a> {
 
 /// A chapter or section as the places of its statements name it; a source without any is one.
 fn section_name(locus: &str) -> Option<&str> {
-    let first = locus.split(", ").next()?;
+    let first = locus.split([',', ':']).next()?;
     let named = ["chapter ", "section ", "appendix"];
     named
         .iter()
@@ -79,17 +79,24 @@ fn section_name(locus: &str) -> Option<&str> {
         .then_some(first)
 }
 
+/// The sections in the order in which they begin; what belongs to none follows the statement before it.
 fn sections<'a>(source: &'a Judged<'_>) -> Vec<Section<'a>> {
     let mut sections: Vec<Section<'a>> = Vec::new();
+    let mut current = 0;
     for decided in source.decided() {
         let name = section_name(&decided.statement.locus);
-        match (sections.last_mut(), name) {
-            (Some(last), None) => last.statements.push(decided),
-            (Some(last), Some(name)) if last.name == name => last.statements.push(decided),
-            (_, name) => sections.push(Section {
-                name: name.unwrap_or("text").to_owned(),
-                statements: vec![decided],
-            }),
+        if let Some(name) = name.or(sections.is_empty().then_some("text")) {
+            let known = sections.iter().position(|section| section.name == name);
+            current = known.unwrap_or(sections.len());
+            if known.is_none() {
+                sections.push(Section {
+                    name: name.to_owned(),
+                    statements: Vec::new(),
+                });
+            }
+        }
+        if let Some(section) = sections.get_mut(current) {
+            section.statements.push(decided);
         }
     }
     sections
