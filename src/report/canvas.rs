@@ -381,6 +381,12 @@ fn scale_bar(svg: &mut String, unit: &str, scale: f64, [right, y]: Point) {
         .find(|length| length * scale <= 160.0)
         .unwrap_or(power);
     let left = right - length * scale;
+    let one = unit.replacen("units", "unit", 1);
+    let unit = if length.to_string() == "1" {
+        &one
+    } else {
+        unit
+    };
     let _ = writeln!(
         svg,
         r##"<path d="M{left:.1} {:.1} v8 M{left:.1} {y:.1} H{right:.1} M{right:.1} {:.1} v8" fill="none" stroke="#263238" stroke-width="1.5"/><text x="{right:.1}" y="{:.1}" font-size="14" text-anchor="end" fill="#263238">{length} {}</text>"##,

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use maud::{Markup, html};
 
 use super::{File, address, article, grid, inline, layout, numbers};
-use crate::ledger::{Content, Decided, Judged, Kind, PrintedTable, Verdict};
+use crate::ledger::{Content, Decided, Judged, Kind, PrintedTable, Statement, Verdict};
 use crate::report::gallery::Exhibit;
 
 /// The page.
@@ -148,7 +148,7 @@ fn blocks<'a>(section: &Section<'a>) -> Vec<Block<'a>> {
                 blocks.push(Block::Grid(Arc::clone(table), vec![*decided]));
             }
             _ if statement.kind == Kind::Number => {
-                let (heading, place) = heading_and_place(&statement.locus, &section.name);
+                let (heading, place) = heading_and_place(statement, &section.name);
                 match blocks.last_mut() {
                     Some(Block::Numbers(last, rows)) if *last == heading => {
                         rows.push((place, *decided))
@@ -162,12 +162,16 @@ fn blocks<'a>(section: &Section<'a>) -> Vec<Block<'a>> {
     blocks
 }
 
-/// `chapter VI, figure 37, Q` is the number `Q` of `figure 37`.
-fn heading_and_place(locus: &str, section: &str) -> (String, String) {
-    let within = within(locus, section);
+/// `chapter VI, figure 37, Q` is the number `Q` of `figure 37`; where the place says no more than the heading,
+/// the end of its id does.
+fn heading_and_place(statement: &Statement, section: &str) -> (String, String) {
+    let within = within(&statement.locus, section);
     match within.split_once(", ") {
         Some((heading, place)) => (heading.to_owned(), place.to_owned()),
-        None => (within.to_owned(), String::new()),
+        None => {
+            let name = statement.id.rsplit('/').next();
+            (within.to_owned(), name.unwrap_or_default().to_owned())
+        }
     }
 }
 

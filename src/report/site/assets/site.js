@@ -149,6 +149,21 @@ function setUpMotion() {
   }
 }
 
+// A formula that is wider than its place can be reached and moved by the keyboard.
+function setUpScrolling() {
+  const formulas = [...document.querySelectorAll(".formula")];
+  function apply() {
+    const wide = formulas.map((formula) => formula.scrollWidth > formula.clientWidth);
+    formulas.forEach((formula, place) => {
+      if (wide[place]) formula.tabIndex = 0;
+      else formula.removeAttribute("tabindex");
+    });
+  }
+  apply();
+  window.addEventListener("resize", apply);
+}
+
+setUpScrolling();
 setUpSearch();
 setUpFilter();
 setUpMotion();
