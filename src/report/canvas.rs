@@ -452,7 +452,7 @@ fn draw_name(svg: &mut String, name: &str, [u, v]: Point) {
     }
     // An index is a text of its own: not every viewer centers a text of several parts.
     let (letters, index, middle) = match name.split_once('_') {
-        Some((letters, index)) if !index.contains('_') => {
+        Some((letters, index)) if !index.contains(['_', ',']) => {
             let count = |text: &str| count::to_f64(text.chars().count());
             (
                 letters,

@@ -1,5 +1,7 @@
 //! A printed table whose cells are no numbers, as it stands in print.
 
+use std::collections::BTreeSet;
+
 use maud::{Markup, html};
 
 use super::{address, article, layout};
@@ -9,13 +11,7 @@ use crate::ledger::{Content, Decided, PrintedTable};
 pub fn grid(heading: &str, table: &PrintedTable, cells: &[Decided<'_>]) -> Markup {
     html! {
         div.scroll tabindex="0" role="group" aria-label=(heading) {
-            table.grid {
-                caption {
-                    (heading)
-                    @if let Some(note) = cells.first().and_then(|cell| cell.statement.note.as_deref()) {
-                        ". " span.note { (note) }
-                    }
-                }
+            table.grid aria-label=(heading) {
                 thead {
                     tr {
                         th scope="col" { "Row" }
@@ -37,7 +33,26 @@ pub fn grid(heading: &str, table: &PrintedTable, cells: &[Decided<'_>]) -> Marku
                 }
             }
         }
-        @if let Some(first) = cells.first() { (article::sources(first.statement)) }
+        @if let Some(first) = cells.first() { (known_of(table, cells, *first)) }
+    }
+}
+
+/// How all cells are known, and what is said of them.
+fn known_of(table: &PrintedTable, cells: &[Decided<'_>], first: Decided<'_>) -> Markup {
+    let notes = cells
+        .iter()
+        .filter_map(|cell| cell.statement.note.as_deref());
+    let notes: BTreeSet<&str> = notes.collect();
+    html! {
+        dl {
+            dt { "How it is known" }
+            dd { p { "Each cell is computed. " (table.code.summary) } (article::proof(first)) }
+            @if !notes.is_empty() {
+                dt { "Notes" }
+                dd { @for note in notes { p { (note) } } }
+            }
+        }
+        (article::sources(first.statement))
     }
 }
 
