@@ -74,7 +74,7 @@ fn cell(
 ) -> Markup {
     let fragment = address::fragment(&statement.id);
     html! {
-        td.statement #(fragment) data-verdict=(judgement.verdict) class=(layout::class(judgement.verdict))
+        td class={ "statement " (layout::class(judgement.verdict)) } #(fragment) data-verdict=(judgement.verdict)
             title=(statement.id) {
             a href={ "#" (fragment) } { (statement.printed) }
             @if let (true, Some(right)) = (judgement.verdict.is_erratum(), &judgement.corrected) {
