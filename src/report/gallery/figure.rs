@@ -11,7 +11,7 @@ use crate::oracle;
 use crate::report::complex::Z;
 use crate::report::deviation::{Arc, Figure, Points};
 use crate::report::number;
-use crate::scenes;
+use crate::scenes::{self, free::Given};
 use crate::straight_line::design::Design;
 use crate::straight_line::deviation::driven::Driven;
 use crate::straight_line::deviation::floats;
@@ -39,7 +39,8 @@ pub fn of_example(entry: &Entry, papers: &[Paper]) -> Result<String, GalleryErro
         .filter_map(|statement| Some((statement, statement.example.as_ref()?)))
         .find(|(_, example)| example.name.ends_with(&wanted))
         .ok_or_else(nothing)?;
-    let drawn = scenes::drawn_linkage(statement.scene.name, &example.given).ok_or_else(nothing)?;
+    let free = &mut Given::<f64>::new(&example.given, ());
+    let drawn = scenes::drawn_linkage(statement.scene.name, free).ok_or_else(nothing)?;
     let (design, levels) =
         drawn.map_err(|unbuilt| GalleryError::Unbuilt(entry.title.clone(), unbuilt))?;
     draw(&design, &levels, &entry.title).ok_or_else(nothing)

@@ -1,16 +1,12 @@
 //! Linkages of the figures in floats, for pictures: those that no problem asks for.
 
-use std::collections::BTreeMap;
-
 use rug::Rational;
 
 use super::super::sense::sense;
 use super::super::symmetric_linkage::central_position;
 use super::results::COARSE;
 use super::{evans, precision_points};
-use crate::formula::Formula;
 use crate::number::Number;
-use crate::scenes::free::Given;
 use crate::scenes::{Free, Unbuilt};
 use crate::straight_line::design::Design;
 
@@ -18,8 +14,7 @@ use crate::straight_line::design::Design;
 pub type DrawnLinkage = Result<(Design<f64>, Vec<f64>), Unbuilt>;
 
 /// The linkage of a scene of the figures, with these parameters; `None` for other scenes.
-pub fn drawn_linkage(scene: &str, parameters: &BTreeMap<String, Formula>) -> Option<DrawnLinkage> {
-    let free = &mut Given::<f64>::new(parameters, ());
+pub fn drawn_linkage(scene: &str, free: &mut dyn Free<f64>) -> Option<DrawnLinkage> {
     let design = match scene {
         "tesar1964/evans-figure" => rolling(free),
         "tesar1964/symmetric-figure" => symmetric(free),
