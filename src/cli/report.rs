@@ -23,8 +23,12 @@ pub struct Arguments {
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let folder = &arguments.output;
-    let unwritable =
-        |path: &Path, error: io::Error| Failure::wrong(format!("{}: {error}", path.display()));
+    let unwritable = |path: &Path, error: io::Error| {
+        Failure::wrong(format!(
+            "{}: {error}; -o names the folder to write",
+            path.display()
+        ))
+    };
     // Before the work, not after it.
     fs::create_dir_all(folder).map_err(|error| unwritable(folder, error))?;
     let papers = ledger::built_in().map_err(|error| Failure::wrong(error.to_string()))?;

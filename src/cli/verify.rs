@@ -4,9 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::process::ExitCode;
 
-use burmester::ledger::{
-    self, Cause, JudgeError, Judgement, Options, Paper, Proof, Statement, Verdict,
-};
+use burmester::ledger::{Decided, Judged, Judgement, Options, Paper, Proof, Statement, Verdict};
 use serde_json::{Map, Value, json};
 
 use super::outcome::{Failure, print};
@@ -44,27 +42,8 @@ impl Default for Arguments {
     }
 }
 
-/// A statement and what was found of it.
-struct Decided<'a> {
-    statement: &'a Statement,
-    judgement: Judgement,
-}
-
-impl<'a> Decided<'a> {
-    fn of(
-        (statement, judgement): (&'a Statement, Result<Judgement, JudgeError>),
-    ) -> Result<Self, Failure> {
-        let judgement =
-            judgement.map_err(|error| Failure::wrong(format!("{}: {error}", statement.place())))?;
-        Ok(Decided {
-            statement,
-            judgement,
-        })
-    }
-
-    fn is_as_expected(&self) -> bool {
-        self.judgement.verdict == self.statement.expected
-    }
+fn is_as_expected(decided: Decided<'_>) -> bool {
+    decided.judgement.verdict == decided.statement.expected
 }
 
 /// Writing to a string cannot fail.
@@ -83,23 +62,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         digits: usize::try_from(arguments.digits).unwrap_or(usize::MAX),
         mutants: arguments.mutants,
     };
-    let judgements = ledger::judge_all(&papers, options, || progress.step());
-    let mut decided = Vec::new();
-    for (paper, of_paper) in papers.iter().zip(judgements) {
-        let of_paper = paper.statements.iter().zip(of_paper);
-        let of_paper: Result<Vec<_>, _> = of_paper.map(Decided::of).collect();
-        decided.push((paper, of_paper?));
-    }
+    let decided = Judged::all(&papers, options, || progress.step())
+        .map_err(|error| Failure::wrong(error.to_string()))?;
     drop(progress);
     let text = match arguments.format {
         Format::Json => json_lines(&decided),
         Format::Text => for_a_person(&decided),
     };
     print(&text)?;
-    let all_as_expected = decided
-        .iter()
-        .flat_map(|(_, of_paper)| of_paper)
-        .all(Decided::is_as_expected);
+    let all_as_expected = decided.iter().flat_map(Judged::decided).all(is_as_expected);
     Ok(ExitCode::from(u8::from(!all_as_expected)))
 }
 
@@ -120,9 +91,9 @@ fn chosen(papers: Vec<Paper>, keys: &[String]) -> Result<Vec<Paper>, Failure> {
         .collect())
 }
 
-fn json_lines(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+fn json_lines(decided: &[Judged<'_>]) -> String {
     let mut text = String::new();
-    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+    for one in decided.iter().flat_map(Judged::decided) {
         text.push_str(&Value::Object(line(one)).to_string());
         text.push('\n');
     }
@@ -130,7 +101,7 @@ fn json_lines(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
 }
 
 /// One line of the JSON output; fields that say nothing are left out.
-fn line(decided: &Decided<'_>) -> Map<String, Value> {
+fn line(decided: Decided<'_>) -> Map<String, Value> {
     let Decided {
         statement,
         judgement,
@@ -177,7 +148,7 @@ fn line(decided: &Decided<'_>) -> Map<String, Value> {
     line
 }
 
-fn for_a_person(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+fn for_a_person(decided: &[Judged<'_>]) -> String {
     let mut text = String::new();
     push(&mut text, &table(decided));
     push(&mut text, &errata(decided));
@@ -196,16 +167,14 @@ fn push(text: &mut String, part: &str) {
 }
 
 /// A row for each source, a column for each verdict that occurs.
-fn table(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
-    let all = || decided.iter().flat_map(|(_, of_paper)| of_paper);
+fn table(decided: &[Judged<'_>]) -> String {
+    let all = || decided.iter().flat_map(Judged::decided);
     let verdicts: BTreeSet<Verdict> = all().map(|one| one.judgement.verdict).collect();
-    let left = |paper: &Paper, of_paper: &[Decided<'_>]| paper.total - of_paper.len();
-    let open = decided
-        .iter()
-        .any(|(paper, of_paper)| left(paper, of_paper) > 0);
+    let left = |source: &Judged<'_>| source.paper.total - source.judgements.len();
+    let open = decided.iter().any(|source| left(source) > 0);
     let width = decided
         .iter()
-        .map(|(paper, _)| paper.key.len())
+        .map(|source| source.paper.key.len())
         .max()
         .unwrap_or(0);
     let mut text = String::new();
@@ -223,22 +192,23 @@ fn table(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
         head.push_str("  not yet decided");
     }
     say!(text, "{head}");
-    for (paper, of_paper) in decided {
+    for source in decided {
         let mut row = format!(
             "{}  {:>10}",
-            style::bold(&format!("{:width$}", paper.key)),
-            paper.total
+            style::bold(&format!("{:width$}", source.paper.key)),
+            source.paper.total
         );
         for verdict in &verdicts {
-            let count = of_paper
+            let count = source
+                .judgements
                 .iter()
-                .filter(|one| one.judgement.verdict == *verdict)
+                .filter(|judgement| judgement.verdict == *verdict)
                 .count();
             let column = verdict.to_string().len().max(5);
             let _ = write!(row, "  {:>column$}", number(count));
         }
         if open {
-            let _ = write!(row, "  {:>15}", number(left(paper, of_paper)));
+            let _ = write!(row, "  {:>15}", number(left(source)));
         }
         say!(text, "{row}");
     }
@@ -263,9 +233,9 @@ fn number(count: usize) -> String {
     }
 }
 
-fn errata(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+fn errata(decided: &[Judged<'_>]) -> String {
     let mut text = String::new();
-    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+    for one in decided.iter().flat_map(Judged::decided) {
         if one.judgement.verdict.is_erratum() {
             if text.is_empty() {
                 say!(text, "{}", style::bold("Errata"));
@@ -276,7 +246,7 @@ fn errata(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
     text
 }
 
-fn erratum(decided: &Decided<'_>) -> String {
+fn erratum(decided: Decided<'_>) -> String {
     let Decided {
         statement,
         judgement,
@@ -310,15 +280,9 @@ fn erratum(decided: &Decided<'_>) -> String {
     text
 }
 
-fn cause(statement: &Statement) -> &'static str {
-    match statement.cause {
-        None => "",
-        Some(Cause::Author) => " by the author",
-        Some(Cause::Print) => " in print",
-        Some(Cause::Copy) => " in the scan",
-        Some(Cause::Inherited) => ", inherited",
-        Some(Cause::Unknown) => ", author or print",
-    }
+fn cause(statement: &Statement) -> String {
+    let cause = statement.cause;
+    cause.map_or(String::new(), |cause| format!(", {}", cause.in_words()))
 }
 
 /// How a wrong line is known to be wrong.
@@ -344,10 +308,10 @@ fn known_by(judgement: &Judgement) -> String {
     }
 }
 
-fn mutants(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+fn mutants(decided: &[Judged<'_>]) -> String {
     let mut text = String::new();
     let (mut tried, mut rejected, mut equivalent) = (0, 0, 0);
-    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+    for one in decided.iter().flat_map(Judged::decided) {
         let Some(counts) = &one.judgement.mutants else {
             continue;
         };
@@ -368,12 +332,12 @@ fn mutants(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
     format!("{}\n{summary}{text}", style::bold("Mutants"))
 }
 
-fn differences(decided: &[(&Paper, Vec<Decided<'_>>)]) -> String {
+fn differences(decided: &[Judged<'_>]) -> String {
     let mut text = String::new();
     let mut count = 0;
-    for one in decided.iter().flat_map(|(_, of_paper)| of_paper) {
+    for one in decided.iter().flat_map(Judged::decided) {
         count += 1;
-        if !one.is_as_expected() {
+        if !is_as_expected(one) {
             say!(
                 text,
                 "  {}: expected {}, found {}{}",

@@ -483,6 +483,11 @@ fn draw_name(svg: &mut String, name: &str, [u, v]: Point) {
     }
 }
 
+/// How far two points are apart.
+pub fn distance([x, y]: Point, [u, v]: Point) -> f64 {
+    (x - u).hypot(y - v)
+}
+
 /// The smallest distance between two of these points: a position in which it is large is easy to
 /// read.
 pub fn spread(points: &[Point]) -> f64 {

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, Joint, Point, Stroke};
+use super::canvas::{Canvas, Joint, Point, Stroke, distance};
 use super::complex::{point, z};
 use super::linkage_panels::{self, Linkage};
 use super::{contour, finite_point, frames};
@@ -98,10 +98,6 @@ fn explain(canvas: &mut Canvas, has_pairs: bool) {
 
 fn origin(position: &Displacement<f64>) -> Point {
     point(&position.translation)
-}
-
-fn distance([x, y]: Point, [u, v]: Point) -> f64 {
-    (x - u).hypot(y - v)
 }
 
 /// To four digits.

@@ -1,6 +1,6 @@
 //! Places for the names of joints, apart from all that is drawn.
 
-use super::canvas::{Point, escaped};
+use super::canvas::{Point, distance, escaped};
 use crate::number::count;
 
 /// Places around a joint that are tried.
@@ -34,10 +34,10 @@ impl Labels {
     /// A line that names keep away from.
     pub fn avoid(&mut self, line: &[Point]) {
         let joints = std::mem::take(&mut self.joints);
-        let matters = |at: &Point| joints.iter().any(|joint| distance(joint, at) < NEAR);
+        let matters = |at: &Point| joints.iter().any(|joint| distance(*joint, *at) < NEAR);
         for ends in line.windows(2) {
             let [from, to] = ends else { continue };
-            let length = distance(from, to);
+            let length = distance(*from, *to);
             if !length.is_finite() || length > 1e5 {
                 continue;
             }
@@ -62,7 +62,7 @@ impl Labels {
             .lines
             .iter()
             .copied()
-            .filter(|at| distance(at, &joint) < NEAR)
+            .filter(|at| distance(*at, joint) < NEAR)
             .collect();
         // A name is wider than high.
         let half = 3.5 * count::to_f64(name.chars().filter(|letter| *letter != '_').count());
@@ -98,10 +98,6 @@ impl Labels {
         }
         best.0
     }
-}
-
-fn distance([x, y]: &Point, [u, v]: &Point) -> f64 {
-    (x - u).hypot(y - v)
 }
 
 /// How far a point is from a name of this half width.
@@ -144,7 +140,7 @@ mod tests {
         let [x, y] = labels.place(joints[0], "A");
         assert!(x < 90.0 || y > 110.0, "{x} {y}");
         let other = labels.place(joints[1], "B");
-        assert!(distance(&[x, y], &other) > 20.0);
+        assert!(distance([x, y], other) > 20.0);
     }
 
     #[test]

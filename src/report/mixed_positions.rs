@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use super::canvas::{Canvas, Joint, Point, Stroke};
+use super::canvas::{Canvas, Joint, Point, Stroke, distance};
 use super::complex::{point, z};
 use super::{finite_point, frames, number};
 use crate::plane::displacement::Displacement;
@@ -193,8 +193,4 @@ fn title(groups: &[Group], count: usize) -> String {
         1 => format!("{pattern}: one real Burmester pair"),
         _ => format!("{pattern}: {count} real Burmester pairs"),
     }
-}
-
-fn distance([x, y]: Point, [u, v]: Point) -> f64 {
-    (x - u).hypot(y - v)
 }

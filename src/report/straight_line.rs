@@ -159,7 +159,7 @@ impl Linkage {
 }
 
 /// The last angle at which the linkage closes, between one at which it does and one at which not.
-fn limit(closes: impl Fn(f64) -> bool, from: f64, to: f64) -> f64 {
+pub fn limit(closes: impl Fn(f64) -> bool, from: f64, to: f64) -> f64 {
     let (mut inside, mut outside) = if closes(from) { (from, to) } else { (to, from) };
     for _ in 0..50 {
         let middle = (inside + outside) / 2.0;

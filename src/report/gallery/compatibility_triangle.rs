@@ -5,11 +5,12 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use super::four_poles::{distance, is_within, middle};
+use super::four_poles::{is_within, middle};
 use crate::number::Number;
 use crate::plane::displacement::Displacement;
-use crate::report::canvas::{Canvas, Joint, Point, Stroke, spread};
+use crate::report::canvas::{Canvas, Joint, Point, Stroke, distance, spread};
 use crate::report::complex::{Z, point, z};
+use crate::report::straight_line::limit;
 use crate::report::{centerpoint_curve, finite_point, frames, poles};
 
 /// Steps of a full turn.
@@ -100,20 +101,7 @@ impl Closure {
     /// The last angle at which the triangle closes, between one at which it does and one at which not.
     fn limit(&self, [from, to]: [f64; 2]) -> Option<f64> {
         let closes = |gamma: f64| self.assemblies(gamma).is_some();
-        let (mut inside, mut outside) = match (closes(from), closes(to)) {
-            (true, false) => (from, to),
-            (false, true) => (to, from),
-            _ => return None,
-        };
-        for _ in 0..50 {
-            let middle = (inside + outside) / 2.0;
-            if closes(middle) {
-                inside = middle;
-            } else {
-                outside = middle;
-            }
-        }
-        Some(inside)
+        (closes(from) != closes(to)).then(|| limit(closes, from, to))
     }
 
     /// M = r₁ − Z₁ − W₁, by Cramer's rule from the positions 2 and 3.

@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use super::four_poles::{FourPoles, distance, line, meet};
+use super::four_poles::{FourPoles, line, meet};
 use crate::number::Number;
 use crate::plane::circular_cubic::Cubic;
-use crate::report::canvas::{Canvas, Joint, Point, Stroke};
+use crate::report::canvas::{Canvas, Joint, Point, Stroke, distance};
 use crate::report::{centerpoint_curve, numbers};
 
 const STEPS: u32 = 1600;

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::report::canvas::Point;
+use crate::report::canvas::{Point, distance};
 use crate::report::poles;
 
 /// Its corners with their names, in their order round it.
@@ -68,10 +68,6 @@ impl FourPoles {
 
 pub fn middle(p: Point, q: Point) -> Point {
     [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0]
-}
-
-pub fn distance(p: Point, q: Point) -> f64 {
-    (p[0] - q[0]).hypot(p[1] - q[1])
 }
 
 /// Where two lines meet; not finite where they are parallel.

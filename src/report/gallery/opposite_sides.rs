@@ -2,8 +2,8 @@
 
 use serde_json::Value;
 
-use super::four_poles::{FourPoles, around, circle_through, distance, is_within, middle};
-use crate::report::canvas::{Joint, Point, Stroke, spread};
+use super::four_poles::{FourPoles, around, circle_through, is_within, middle};
+use crate::report::canvas::{Joint, Point, Stroke, distance, spread};
 use crate::report::centerpoint_curve;
 
 /// Where opposite sides meet there is a centerpoint; the circles through it and the ends of one of the
