@@ -7,16 +7,13 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
 use std::cmp::Ordering;
 
+use crate::support::seed::{generator, rounds};
 use burmester::number::text::parse_rational;
 use burmester::number::{Ball, Elementary, Kind, Number, Real};
 use rand::Rng;
 use rug::Rational;
-use seed::{generator, rounds};
 
 /// A ball and an exact number that lies in it.
 #[derive(Clone, Debug)]
@@ -464,7 +461,7 @@ fn outside_value(line: &str) -> (String, Vec<Rational>, Ball) {
 #[test]
 fn values_of_another_ball_arithmetic_overlap() {
     let bits = 200;
-    let text = include_str!("data/ball_values.txt");
+    let text = include_str!("../data/ball_values.txt");
     let mut count = 0;
     for line in text.lines().filter(|line| !line.starts_with('#')) {
         let (name, arguments, outside) = outside_value(line);

@@ -8,9 +8,9 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/positions.rs"]
-mod support;
-
+use crate::support::positions::{
+    Position, numbers, point, points, position, positions, turn, turns,
+};
 use burmester::finite::five_positions::conditioning::conditioning;
 use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
 use burmester::finite::five_positions::{floats, krawczyk};
@@ -20,7 +20,6 @@ use burmester::number::{Ball, Complex, Exact, Number};
 use burmester::plane::Point;
 use burmester::plane::displacement::Displacement;
 use proptest::prelude::*;
-use support::{Position, numbers, point, points, position, positions, turn, turns};
 
 type Five = [Position; 5];
 

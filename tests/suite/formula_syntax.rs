@@ -59,7 +59,7 @@ fn formulas_of_papers_read_back() {
 
 #[test]
 fn every_example_of_the_grammar_holds() {
-    let grammar = include_str!("../src/formula/grammar.md");
+    let grammar = include_str!("../../src/formula/grammar.md");
     let mut examples = 0;
     for line in grammar.lines() {
         if let Some((text, expected)) = line.split_once(" ⟶ ") {

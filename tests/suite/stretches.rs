@@ -9,11 +9,10 @@
     reason = "a test that cannot compute what it tests has failed"
 )]
 
-#[path = "support/positions.rs"]
-mod support;
-
+use crate::support::positions;
 use std::f64::consts::{PI, TAU};
 
+use crate::support::positions::{Position, degenerate, four_positions};
 use burmester::number::text::parse_rational;
 use burmester::number::{Complex, Exact, Number};
 use burmester::oracle::{Request, solve};
@@ -23,7 +22,6 @@ use burmester::plane::focal_cubic::FocalCubic;
 use burmester::plane::trace::{Branch, Trace};
 use proptest::test_runner::{Config, TestRunner};
 use serde_json::{Value, json};
-use support::{Position, degenerate, four_positions};
 
 type Z = Number<Complex<f64>>;
 
@@ -634,7 +632,7 @@ fn assert_same(a: &[[[f64; 2]; 2]], b: &[[[f64; 2]; 2]]) {
 #[test]
 fn renumbering_mirroring_and_scaling_map_stretches() {
     let position =
-        |x: i64, y: i64, n: i64| support::position(support::turn(n, 7), support::point(x, y));
+        |x: i64, y: i64, n: i64| positions::position(positions::turn(n, 7), positions::point(x, y));
     let positions = [
         position(0, 0, 0),
         position(4, 1, 2),
@@ -672,7 +670,7 @@ fn renumbering_mirroring_and_scaling_map_stretches() {
         &plain,
         &ends(&answered(&mirrored, &mirrored_wishes), |point| point.conj()),
     );
-    let scale = support::number(1, 1_000_000_000) * support::number(1, 1_000_000_000);
+    let scale = positions::number(1, 1_000_000_000) * positions::number(1, 1_000_000_000);
     let scaled = positions.each_ref().map(|d| Position {
         rotation: d.rotation.clone(),
         translation: d.translation.scaled(&scale),
@@ -689,7 +687,7 @@ fn renumbering_mirroring_and_scaling_map_stretches() {
 #[test]
 fn a_wish_that_all_fulfil_leaves_whole_branches() {
     let position =
-        |x: i64, y: i64, n: i64| support::position(support::turn(n, 2), support::point(x, y));
+        |x: i64, y: i64, n: i64| positions::position(positions::turn(n, 2), positions::point(x, y));
     // The closed branch has all its circlepoints finite, or is cut where one is not.
     let positions = [
         position(0, 0, 0),
@@ -712,7 +710,7 @@ fn a_wish_that_all_fulfil_leaves_whole_branches() {
 #[test]
 fn wrong_wishes_are_refused_with_their_place() {
     let position =
-        |x: i64, y: i64, n: i64| support::position(support::turn(n, 2), support::point(x, y));
+        |x: i64, y: i64, n: i64| positions::position(positions::turn(n, 2), positions::point(x, y));
     let positions = [
         position(0, 0, 0),
         position(3, 1, 1),

@@ -8,9 +8,7 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
+use crate::support::seed;
 use burmester::number::text::parse_rational;
 use burmester::number::{Ball, Number};
 use burmester::oracle::{self, Request};

@@ -32,7 +32,7 @@ fn every_picture_is_drawn_beside_a_statement() {
             drawn += 1;
         }
     }
-    let list = include_str!("../data/pictures.toml");
+    let list = include_str!("../../data/pictures.toml");
     assert_eq!(drawn, list.matches("[[picture]]").count());
 }
 

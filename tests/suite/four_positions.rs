@@ -10,9 +10,9 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/positions.rs"]
-mod support;
-
+use crate::support::positions::{
+    Position, degenerate, four_positions, from_quadrilateral, point, points, turns, with_poles,
+};
 use burmester::finite::four_positions::{
     circle_conditions, isotropic, loop_closure, viewing_angles,
 };
@@ -29,9 +29,6 @@ use burmester::plane::quadrilateral::{product_of_sums, squared_sides, u_vs_z};
 use burmester::plane::trace::Trace;
 use burmester::plane::{Angle, Point};
 use proptest::prelude::*;
-use support::{
-    Position, degenerate, four_positions, from_quadrilateral, point, points, turns, with_poles,
-};
 
 type Curves = [(&'static str, Cubic<Exact>); 4];
 

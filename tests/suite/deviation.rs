@@ -5,11 +5,9 @@
     reason = "a test that cannot go on has failed"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
 use std::collections::BTreeSet;
 
+use crate::support::seed::{generator, rounds};
 use burmester::linkage::cognates::CouplerPoint;
 use burmester::number::{Ball, Number, Real, text::parse_rational};
 use burmester::oracle::{Request, solve};
@@ -18,7 +16,6 @@ use burmester::straight_line::deviation::arc::Arcs;
 use burmester::straight_line::deviation::driven::Driven;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
-use seed::{generator, rounds};
 use serde_json::{Value, json};
 
 /// Of the enclosures of random linkages.

@@ -9,11 +9,9 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::support::seed::rounds;
 use burmester::formula::{Bindings, Formula, Value, read};
 use burmester::ledger::built_in;
 use burmester::number::{Ball, Exact, Number, Real, Truth};
@@ -24,7 +22,6 @@ use burmester::scenes::{
     Free, Scene, Unbuilt, checks, find, find_check, find_table, scenes, tables,
 };
 use rug::Rational;
-use seed::rounds;
 
 /// Scenes without a form for all values of their parameters, and why.
 const NOT_SYMBOLIC: [(&str, &str); 23] = [

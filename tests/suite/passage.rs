@@ -8,17 +8,13 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/motion.rs"]
-mod motion;
-#[path = "support/seed.rs"]
-mod seed;
-
+use crate::support::seed;
 use std::collections::BTreeMap;
 
+use crate::support::motion::{Chain, Dyad, Verdict};
 use burmester::linkage::passage::{Degenerate, Drive, Joint, Passage, Type};
 use burmester::number::{Ball, Number, Surd};
 use burmester::plane::Point;
-use motion::{Chain, Dyad, Verdict};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rug::Rational;

@@ -11,11 +11,9 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
 use std::cmp::Ordering;
 
+use crate::support::seed::{generator, rounds};
 use burmester::number::decimal::{Machine, Rounding};
 use burmester::number::{
     Ball, Complex, Decimal, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd, Truth,
@@ -23,7 +21,6 @@ use burmester::number::{
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rug::Rational;
-use seed::{generator, rounds};
 
 const ROUNDS: usize = 500;
 

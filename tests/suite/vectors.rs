@@ -5,22 +5,18 @@
     reason = "a test that cannot read what it tests has failed"
 )]
 
-#[path = "support/schemas.rs"]
-mod schemas;
-#[path = "support/seed.rs"]
-mod seed;
-
+use crate::support::seed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use crate::support::schemas::{assert_valid, validator};
 use burmester::number::text::parse_rational;
 use burmester::oracle::vectors::{
     CORPORA, Corpus, Entry, Folder, answer_line, defects_of_form, sha256,
 };
 use jsonschema::Validator;
 use rug::Rational;
-use schemas::{assert_valid, validator};
 use serde_json::{Value, json};
 
 /// The sample: every so manyth problem; all where BURMESTER_LONG is 1.

@@ -1,5 +1,4 @@
 //! Positions of the moving plane for tests: random ones and every degenerate kind.
-#![allow(dead_code, reason = "each test file uses a part of it")]
 #![expect(
     clippy::indexing_slicing,
     reason = "a place that is not there is a failure of the test"

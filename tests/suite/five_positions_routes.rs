@@ -8,11 +8,10 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-#[path = "support/positions.rs"]
-mod support;
-
+use crate::support::positions::{
+    Position, degenerate, numbers, point, points, position, positions, turn, turns,
+};
+use crate::support::seed::rounds;
 use burmester::finite::five_positions::conditions::{of_pair, of_slide};
 use burmester::finite::five_positions::conics::{Isolated, Pairs, pairs};
 use burmester::finite::five_positions::{circlepoint_curves, loop_closure};
@@ -21,8 +20,6 @@ use burmester::number::{Complex, Exact, Number, Truth};
 use burmester::plane::displacement::Displacement;
 use burmester::plane::{Point, line, relation};
 use proptest::prelude::*;
-use seed::rounds;
-use support::{Position, degenerate, numbers, point, points, position, positions, turn, turns};
 
 type Five = [Position; 5];
 

@@ -8,11 +8,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-#[path = "../examples/check_a_solver.rs"]
+#[path = "../../examples/check_a_solver.rs"]
 mod check_a_solver;
-#[path = "../examples/coming_together.rs"]
+#[path = "../../examples/coming_together.rs"]
 mod coming_together;
-#[path = "../examples/output_of_1964.rs"]
+#[path = "../../examples/output_of_1964.rs"]
 mod output_of_1964;
 
 #[test]

@@ -8,11 +8,9 @@
     reason = "helpers of tests may panic as tests do"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
 use std::cmp::Ordering;
 
+use crate::support::seed::{generator, rounds};
 use burmester::number::text::parse_rational;
 use burmester::number::univariate::{
     Polynomial, Quadratic, QuadraticRoots, RootError, Roots, isolate,
@@ -23,7 +21,6 @@ use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 use rand::{Rng, RngCore};
 use rug::ops::Pow;
 use rug::{Integer, Rational};
-use seed::{generator, rounds};
 
 type Poly = Polynomial<Exact>;
 type CaseResult = Result<(), TestCaseError>;
@@ -717,7 +714,7 @@ fn a_vanishing_leading_coefficient_sends_one_root_to_infinity() {
 
 // A second implementation.
 
-const VALUES: &str = include_str!("data/univariate_values.txt");
+const VALUES: &str = include_str!("../data/univariate_values.txt");
 
 fn stored(text: &str) -> Poly {
     Polynomial::from_rationals(text.split(' ').map(|c| parse_rational(c).unwrap()))

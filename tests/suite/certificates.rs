@@ -6,11 +6,8 @@
     reason = "a test that cannot read what it tests has failed"
 )]
 
-#[path = "support/damage.rs"]
-mod damage;
-#[path = "support/seed.rs"]
-mod seed;
-
+use crate::support::damage;
+use crate::support::seed;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -22,7 +19,7 @@ use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use serde_json::{Value, json};
 
-use damage::{WAYS, change_digit, change_sign};
+use crate::support::damage::{WAYS, change_digit, change_sign};
 
 fn entries(corpus: &Corpus) -> Vec<Entry> {
     Folder::at(Path::new("data")).entries(corpus.name).unwrap()

@@ -4,13 +4,10 @@
     reason = "a test that cannot read what it tests has failed"
 )]
 
-#[path = "support/schemas.rs"]
-mod schemas;
-
 use std::fs;
 use std::process::Command;
 
-use schemas::{assert_valid, validator};
+use crate::support::schemas::{assert_valid, validator};
 use serde_json::{Value, json};
 
 /// Everything through plain JSON, as another program would read it.

@@ -10,9 +10,7 @@
     reason = "a test stops where something is wrong"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-
+use crate::support::seed::{generator, rounds};
 use burmester::curvature::burmester::by_contact;
 use burmester::curvature::canonical::Canonical;
 use burmester::curvature::closure;
@@ -28,7 +26,6 @@ use burmester::plane::{Angle, Point};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rug::Rational;
-use seed::{generator, rounds};
 
 type P = Point<Exact>;
 

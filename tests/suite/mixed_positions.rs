@@ -8,11 +8,8 @@
     reason = "a test that cannot compute what it tests has failed"
 )]
 
-#[path = "support/seed.rs"]
-mod seed;
-#[path = "support/positions.rs"]
-mod support;
-
+use crate::support::positions::{points, turns};
+use crate::support::seed::rounds;
 use burmester::curvature::closure;
 use burmester::curvature::contact::Guide;
 use burmester::curvature::mixed::{Groups, pairs};
@@ -25,9 +22,7 @@ use burmester::oracle::{Request, solve};
 use burmester::plane::Point;
 use burmester::plane::displacement::Displacement;
 use proptest::prelude::*;
-use seed::rounds;
 use serde_json::{Value, json};
-use support::{points, turns};
 
 /// How many positions come together in each group.
 const PATTERNS: [&[usize]; 7] = [

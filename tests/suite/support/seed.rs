@@ -1,5 +1,4 @@
 //! Seeds and sizes of the randomised tests.
-#![allow(dead_code, reason = "each test file uses a part of it")]
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

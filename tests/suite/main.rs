@@ -1,0 +1,45 @@
+//! All tests, one file a subject, as one program: linked once, run on all cores.
+
+mod support;
+
+mod architecture;
+mod ball_soundness;
+mod certificates;
+mod chart;
+mod command;
+mod conditions;
+mod crank_drive;
+mod curvature;
+mod curvature_problem;
+mod degenerate_kinds;
+mod dependencies;
+mod deviation;
+mod examples;
+mod finite_constructions;
+mod finite_pole_four_bar;
+mod five_positions;
+mod five_positions_routes;
+mod floats;
+mod focal_mechanism;
+mod formula_evaluation;
+mod formula_syntax;
+mod four_bar;
+mod four_positions;
+mod gallery;
+mod identities;
+mod laws;
+mod linkages;
+mod mixed_positions;
+mod passage;
+mod plane;
+mod plane_curves;
+mod poly;
+mod scenes;
+mod schemas;
+mod score;
+mod straight_line;
+mod stretches;
+mod tables;
+mod univariate;
+mod vectors;
+mod verdicts;

@@ -1,0 +1,7 @@
+//! What several tests share.
+
+pub mod damage;
+pub mod motion;
+pub mod positions;
+pub mod schemas;
+pub mod seed;
