@@ -45,8 +45,8 @@ enum Chosen {
     F64,
 }
 
-/// More than this is no problem: 256 MiB.
-const MOST_BYTES: u64 = 1 << 28;
+/// No problem is longer than this: 16 MiB, of which a reader of JSON may make fifty times as much.
+const MOST_BYTES: u64 = 1 << 24;
 
 /// Runs the command.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -61,17 +61,23 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let input =
         open(&arguments.file).map_err(|error| Failure::wrong(format!("{name}: {error}")))?;
     if arguments.lines {
-        for (place, line) in BufReader::new(input).lines().enumerate() {
-            let place = format!("{name}:{}", place + 1);
-            let line = line.map_err(|error| Failure::wrong(format!("{place}: {error}")))?;
+        let mut input = BufReader::new(input);
+        for number in 1_u64.. {
+            let place = format!("{name}:{number}");
+            let line = bounded(&place, |text| {
+                input.by_ref().take(MOST_BYTES + 1).read_line(text)
+            })?;
+            if line.is_empty() {
+                break;
+            }
             if !line.trim().is_empty() {
                 print(&format!("{}\n", solved(&line, &place, &request)?.1))?;
             }
         }
     } else {
-        let mut text = String::new();
-        let read = input.take(MOST_BYTES).read_to_string(&mut text);
-        read.map_err(|error| Failure::wrong(format!("{name}: {error}")))?;
+        let text = bounded(&name, |text| {
+            input.take(MOST_BYTES + 1).read_to_string(text)
+        })?;
         if text.trim().is_empty() {
             return Err(Failure::wrong(format!(
                 "{name}: the input is empty; a problem as a JSON object was expected"
@@ -101,6 +107,22 @@ fn shown(file: &Path) -> String {
     } else {
         file.display().to_string()
     }
+}
+
+/// What is read, unless it is too long or no text.
+fn bounded(
+    place: &str,
+    read: impl FnOnce(&mut String) -> io::Result<usize>,
+) -> Result<String, Failure> {
+    let mut text = String::new();
+    let length = read(&mut text).map_err(|error| Failure::wrong(format!("{place}: {error}")))?;
+    if u64::try_from(length).is_ok_and(|length| length <= MOST_BYTES) {
+        return Ok(text);
+    }
+    Err(Failure::wrong(format!(
+        "{place}: longer than {} MiB, which no problem is",
+        MOST_BYTES >> 20
+    )))
 }
 
 fn open(file: &Path) -> io::Result<Box<dyn Read>> {

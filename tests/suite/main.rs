@@ -1,11 +1,14 @@
 //! All tests, one file a subject, as one program: linked once, run on all cores.
 
+mod fuzz;
 mod support;
 
 mod architecture;
 mod ball_soundness;
 mod certificates;
+#[cfg(feature = "command")]
 mod chart;
+#[cfg(feature = "command")]
 mod command;
 mod conditions;
 mod crank_drive;
@@ -14,6 +17,7 @@ mod curvature_problem;
 mod degenerate_kinds;
 mod dependencies;
 mod deviation;
+#[cfg(feature = "command")]
 mod examples;
 mod finite_constructions;
 mod finite_pole_four_bar;
@@ -25,6 +29,7 @@ mod formula_evaluation;
 mod formula_syntax;
 mod four_bar;
 mod four_positions;
+mod fuzzed;
 mod gallery;
 mod identities;
 mod laws;
@@ -34,8 +39,12 @@ mod passage;
 mod plane;
 mod plane_curves;
 mod poly;
+#[cfg(feature = "command")]
+mod robustness;
 mod scenes;
+#[cfg(feature = "command")]
 mod schemas;
+#[cfg(feature = "command")]
 mod score;
 mod straight_line;
 mod stretches;

@@ -1,0 +1,65 @@
+"""Building the copy with all switches, without the mutants that do not compile."""
+
+import json
+import os
+import subprocess
+
+PROFILE = [
+    "--config", 'profile.mutants.inherits="dev"',
+    "--config", "profile.mutants.debug=false",
+    "--profile", "mutants",
+]
+
+
+def cargo(folder, arguments):
+    environment = dict(os.environ, CARGO_TARGET_DIR=str(folder / "target"), RUSTFLAGS="-Awarnings")
+    return subprocess.Popen(
+        ["cargo", *arguments, "--message-format=json"], cwd=folder, env=environment,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )
+
+
+def messages(folder, arguments):
+    process = cargo(folder, arguments)
+    out, err = process.communicate()
+    found = [json.loads(line) for line in out.splitlines() if line.startswith("{")]
+    return process.returncode, found, err
+
+
+def places(found, of_help):
+    """Files and lines that errors point at, or the help that comes with them."""
+    for message in found:
+        if message["reason"] != "compiler-message" or message["message"]["level"] != "error":
+            continue
+        error = message["message"]
+        for part in error["children"] if of_help else [error]:
+            for span in part["spans"]:
+                yield span["file_name"], range(span["line_start"], span["line_end"] + 1)
+
+
+def rendered(found):
+    return "\n".join(m["message"]["rendered"] for m in found if m["reason"] == "compiler-message")
+
+
+def without_errors(sample, folder, say):
+    """Drops mutants until the rest compiles; the numbers of the dropped."""
+    while True:
+        sample.write(folder)
+        status, found, err = messages(folder, ["check", "--lib", *PROFILE])
+        if status == 0:
+            return
+        dropped = sample.drop(places(found, False)) or sample.drop(places(found, True))
+        if not dropped:
+            raise SystemExit("the copy does not compile, and not for a mutant:\n" + rendered(found)[-3000:])
+        say(f"{len(dropped)} do not compile")
+
+
+def suite(folder):
+    """The path of the test program."""
+    status, found, err = messages(folder, ["test", "--no-run", "--test", "suite", *PROFILE])
+    if status:
+        raise SystemExit("the tests do not compile:\n" + err[-3000:])
+    for message in found:
+        if message["reason"] == "compiler-artifact" and message["target"]["name"] == "suite":
+            return message["executable"]
+    raise SystemExit("no test program")

@@ -1,0 +1,79 @@
+"""The command: samples, builds, runs, and says which mutants no test notices."""
+
+import argparse
+import json
+import os
+import pathlib
+import sys
+import time
+
+from . import build, planted, run, sample
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def arguments():
+    parser = argparse.ArgumentParser(
+        prog="python3 scripts/mutants",
+        description="Mutation testing: draws mutants that cargo-mutants makes, builds one program with all of "
+        "them behind switches, and runs the tests that reach a mutant until one fails. Status 1 if fewer than "
+        "95 %% are noticed in some room, 2 if nothing can be built.",
+    )
+    parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of src (default: {' '.join(sample.ROOMS)}), or `planted`: the defects of planted.toml instead")
+    parser.add_argument("--sample", type=int, default=75, help="mutants drawn in each room, some of which do not compile (default 75)")
+    parser.add_argument("--seed", type=int, default=1888)
+    parser.add_argument("--only", metavar="TEXT", help="only mutants whose name holds this text")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write what became of each")
+    return parser.parse_args()
+
+
+def say(text):
+    print(f"{time.strftime('%H:%M:%S')} {text}", file=sys.stderr, flush=True)
+
+
+def main():
+    given = arguments()
+    rooms = given.rooms or sample.ROOMS
+    if rooms != ["planted"] and (unknown := [room for room in rooms if not (ROOT / "src" / room).is_dir()]):
+        print(f"mutants: src has no room {unknown[0]}", file=sys.stderr)
+        return 2
+    folder = ROOT / "target" / "mutants-tree"
+    if given.rooms == ["planted"]:
+        return planted.main(ROOT, folder, say)
+    sample.copy(ROOT, folder)
+    mutants = sample.listed(ROOT)
+    if given.only:
+        mutants = [m for m in mutants if given.only in m["name"]]
+    drawn = sample.Sample(ROOT, mutants, rooms, given.sample, given.seed)
+    say(f"{len(drawn.mutants)} drawn of {len(mutants)}")
+    build.without_errors(drawn, folder, say)
+    say(f"{len(drawn.mutants)} compile; building the tests")
+    suite = build.suite(folder)
+    reach = run.Reach(suite, folder, say)
+    found = {}
+    for number, fate in run.fates(suite, folder, reach, sorted(drawn.mutants), given.jobs, lambda *_: None):
+        found[number] = fate
+        name = drawn.mutants[number]["name"]
+        say(f"{len(found)}/{len(drawn.mutants)} {'MISSED' if fate is None else fate}: {name}")
+    if given.json:
+        lines = [{**drawn.mutants[n], "noticed_by": found[n], "reached_by": reach.of(n)} for n in sorted(found)]
+        given.json.write_text("".join(json.dumps(line) + "\n" for line in lines))
+    return report(drawn, found, rooms)
+
+
+def report(drawn, found, rooms):
+    status = 0
+    print("| room | mutants | noticed | share |\n| --- | --- | --- | --- |")
+    for room in rooms:
+        fates = [fate for n, fate in found.items() if drawn.mutants[n]["room"] == room]
+        noticed = sum(fate is not None for fate in fates)
+        share = noticed / len(fates) if fates else 0
+        status |= share < 0.95
+        print(f"| `{room}` | {len(fates)} | {noticed} | {100 * share:.1f} % |")
+    missed = sorted(drawn.mutants[n]["name"] for n, fate in found.items() if fate is None)
+    if missed:
+        print("\nNoticed by no test:")
+        for name in missed:
+            print(f"- {name}")
+    return status

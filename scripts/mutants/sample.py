@@ -1,0 +1,91 @@
+"""Which mutants: a seeded sample of those that cargo-mutants makes, in a copy of the tree."""
+
+import json
+import random
+import shutil
+import subprocess
+
+from . import switch
+
+ROOMS = ["number", "formula", "plane", "finite", "curvature", "linkage", "straight_line", "scenes", "ledger"]
+
+
+def listed(root):
+    """All mutants of cargo-mutants under its configuration, in its order."""
+    run = subprocess.run(["cargo", "mutants", "--list", "--json"], cwd=root, capture_output=True, text=True)
+    if run.returncode:
+        raise SystemExit("cargo mutants --list failed (cargo install --locked cargo-mutants):\n" + run.stderr)
+    return json.loads(run.stdout)
+
+
+def copy(root, folder):
+    """The files of the project as they stand, into a folder that may hold an earlier copy."""
+    names = subprocess.run(
+        ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
+        cwd=root, capture_output=True, text=True, check=True,
+    ).stdout.split("\n")
+    shutil.rmtree(folder / "src", ignore_errors=True)
+    for name in filter(None, names):
+        source, target = root / name, folder / name
+        if not source.exists():
+            continue
+        target.parent.mkdir(parents=True, exist_ok=True)
+        if not target.exists() or target.read_bytes() != source.read_bytes():
+            shutil.copyfile(source, target)
+
+
+class Sample:
+    """The chosen mutants of all rooms and the switches that hold them."""
+
+    def __init__(self, root, mutants, rooms, size, seed):
+        self.files = {}
+        self.edits = {}
+        self.mutants = {}
+        self.unswitched = []
+        for room in rooms:
+            of_room = [m for m in mutants if m["file"].startswith(f"src/{room}/")]
+            random.Random(f"{seed} {room}").shuffle(of_room)
+            self.draw(root, room, of_room, size)
+
+    def draw(self, root, room, mutants, size):
+        drawn = 0
+        for mutant in mutants:
+            if drawn == size:
+                return
+            name = mutant["file"]
+            file = self.files.setdefault(name, switch.File((root / name).read_bytes()))
+            try:
+                edit = file.edit(mutant)
+            except switch.NoSwitch as reason:
+                self.unswitched.append((mutant["name"], str(reason)))
+                continue
+            edits = self.edits.setdefault(name, [])
+            if not switch.disjoint(edit, edits):
+                continue
+            edit.number = len(self.mutants) + 1
+            edits.append(edit)
+            self.mutants[edit.number] = {"room": room, "name": mutant["name"], "file": name}
+            drawn += 1
+
+    def write(self, folder):
+        """All switches into a copy of the tree."""
+        for name, edits in self.edits.items():
+            (folder / name).write_bytes(switch.applied(self.files[name].source, edits))
+        (folder / "src/mutated.rs").write_text(switch.MODULE)
+        library = folder / "src/lib.rs"
+        text = library.read_text()
+        if "pub mod mutated;" not in text:
+            library.write_text(text + "\n#[doc(hidden)]\npub mod mutated;\n")
+
+    def drop(self, errors):
+        """Takes out those that the compiler's errors point at; which these are."""
+        dropped = set()
+        for name, lines in errors:
+            hit = [e for e in self.edits.get(name, []) if set(lines) & set(e.lines)]
+            exact = [e for e in hit if len(e.lines) == min(len(h.lines) for h in hit)]
+            dropped.update(e.number for e in exact)
+        for edits in self.edits.values():
+            edits[:] = [e for e in edits if e.number not in dropped]
+        for number in dropped:
+            del self.mutants[number]
+        return dropped
