@@ -2,8 +2,9 @@
 //!
 //! For comparison, 360 points on one core of an x86-64 server with AVX-512: in f64 11.9 µs with numpy,
 //! 0.58 µs written by hand in C (47 operations and 6 cycles a point); with 50 certified digits 3.5 ms
-//! with python-flint, 0.55 ms with Arb by hand. Here, built for any x86-64 (medians of 2026-11-22, two
-//! cores shared with other work): 1.46 µs in f64, 1.27 ms certified; an arc 30 µs in f64 and 2.9 ms
+//! with python-flint, 0.55 ms with Arb by hand. Here, built for any x86-64 (two
+//! cores with AVX2 shared with other work): 0.44 µs in f64 at whole degrees, where 0.40 to 0.41 µs is what
+//! that C takes there (2026-11-23), and 1.27 ms certified (2026-11-22); an arc 30 µs in f64 and 2.9 ms
 //! certified to 128 bits, of which a search of all angles took about a second. No crate offers a coupler curve; what a user would
 //! write instead is the linkage position by position, which `position_by_position` times.
 #![expect(
@@ -57,6 +58,16 @@ fn unit(bits: u32) -> Number<Ball> {
 #[divan::bench_group]
 mod points_360 {
     use super::*;
+
+    #[divan::bench]
+    fn f64_whole_degrees(bencher: Bencher<'_, '_>) {
+        let sampler = Sampler::new(&driven(BITS).closed().map(float));
+        let [mut u, mut v] = [[0.0; 360]; 2];
+        bencher.bench_local(|| {
+            black_box(&sampler).sample_whole_degrees([&mut u, &mut v]);
+            black_box((&u, &v));
+        });
+    }
 
     #[divan::bench]
     fn f64_slices(bencher: Bencher<'_, '_>) {

@@ -13,6 +13,7 @@ pub mod exact;
 mod float;
 mod interval;
 mod kind;
+pub(crate) mod lanes;
 pub mod linear;
 pub mod poly;
 mod series;

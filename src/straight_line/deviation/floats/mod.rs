@@ -1,11 +1,13 @@
 //! Travel and deviation in floats: many positions of one linkage, and the arcs of many linkages, each
 //! with a bound of its error.
 
-use std::sync::LazyLock;
+mod sampler;
 
 use super::arc::End;
 use super::closed::Closed;
-use crate::number::{Complex, Number, count};
+use crate::number::{Complex, Number};
+
+pub use sampler::{Sampler, whole_degrees};
 
 /// Half a unit in the last place of 1.
 const ROUNDING: f64 = f64::EPSILON / 2.0;
@@ -15,76 +17,6 @@ const STEP: f64 = 0.5 * std::f64::consts::PI / 180.0;
 const STEPS: u32 = 722;
 /// Secants are enough long before.
 const MOST_SECANTS: usize = 200;
-
-/// Cosines and sines of the whole degrees from 0 to 359.
-pub fn whole_degrees() -> &'static [[f64; 360]; 2] {
-    static TABLE: LazyLock<[[f64; 360]; 2]> = LazyLock::new(|| {
-        let radians: [f64; 360] =
-            std::array::from_fn(|degrees| count::to_f64(degrees).to_radians());
-        [radians.map(f64::cos), radians.map(f64::sin)]
-    });
-    &TABLE
-}
-
-/// The constants of the closed form, B's side in the sign of `half`.
-pub struct Sampler {
-    start: [f64; 2],
-    crank: [f64; 2],
-    base: [f64; 2],
-    arm: [f64; 2],
-    middle: f64,
-    swing: [f64; 2],
-    difference: f64,
-    dead: [f64; 2],
-    side: f64,
-}
-
-impl Sampler {
-    /// Of one linkage.
-    pub fn new(closed: &Closed<f64>) -> Self {
-        let pair = |z: &Number<Complex<f64>>| [z.re().0, z.im().0];
-        Sampler {
-            start: pair(&closed.start),
-            crank: pair(&closed.crank),
-            base: pair(&closed.base),
-            arm: pair(&closed.arm),
-            middle: closed.middle.0,
-            swing: pair(&closed.swing),
-            difference: closed.difference.0,
-            dead: closed.dead.each_ref().map(|x| x.0),
-            side: if closed.is_left { 1.0 } else { -1.0 },
-        }
-    }
-
-    /// u and v with the crank turned by so many angles, given by cosines and sines; no numbers where it
-    /// does not come there. As many as the shortest slice holds.
-    pub fn sample(&self, [cos, sin]: [&[f64]; 2], [u, v]: [&mut [f64]; 2]) {
-        let angles = cos.iter().zip(sin);
-        for ((cos, sin), (u, v)) in angles.zip(u.iter_mut().zip(v)) {
-            [*u, *v] = self.at(*cos, *sin);
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, cos: f64, sin: f64) -> [f64; 2] {
-        let n = self.middle - (self.swing[0] * cos - self.swing[1] * sin);
-        let half = 0.5 / n;
-        let along = (n + self.difference) * half;
-        let across = ((n - self.dead[0]) * (self.dead[1] - n)).sqrt() * (half * self.side);
-        let rod = [
-            self.base[0] - (self.arm[0] * cos - self.arm[1] * sin),
-            self.base[1] - (self.arm[0] * sin + self.arm[1] * cos),
-        ];
-        let crank = [
-            self.start[0] + (self.crank[0] * cos - self.crank[1] * sin),
-            self.start[1] + (self.crank[0] * sin + self.crank[1] * cos),
-        ];
-        [
-            crank[0] + (rod[0] * along - rod[1] * across),
-            crank[1] + (rod[0] * across + rod[1] * along),
-        ]
-    }
-}
 
 /// An arc on which the deviation keeps within a bound.
 #[derive(Clone, Debug)]
@@ -367,40 +299,41 @@ mod tests {
     use crate::straight_line::design::Design;
     use crate::straight_line::deviation::driven::Driven;
 
-    fn z(x: f64, y: f64) -> Number<Complex<f64>> {
+    pub(super) fn z(x: f64, y: f64) -> Number<Complex<f64>> {
         Number::complex(Number(x), Number(y))
     }
 
-    fn driven() -> Driven<f64> {
+    fn linkage([o_a, o_b, a, b, d]: [[f64; 2]; 5]) -> Driven<f64> {
+        let point = |[x, y]: [f64; 2]| z(x, y);
         Driven::new(&Design {
             linkage: CouplerPoint {
-                pivots: [z(0.1, 0.2), z(3.0, -0.4)],
-                pins: [z(0.9, 1.3), z(2.1, 2.2)],
-                point: z(1.7, 2.9),
+                pivots: [point(o_a), point(o_b)],
+                pins: [point(a), point(b)],
+                point: point(d),
             },
             direction: z(0.3, -0.8),
         })
         .unwrap()
     }
 
-    #[test]
-    fn samples_are_those_of_the_linkage() {
-        let driven = driven();
-        let [cos, sin] = whole_degrees();
-        let [mut u, mut v] = [[0.0; 360]; 2];
-        Sampler::new(&driven.closed()).sample([cos, sin], [&mut u, &mut v]);
-        let mut reached = 0;
-        for degrees in 0..360 {
-            let Some(position) = driven.position(&z(cos[degrees], sin[degrees])) else {
-                assert!(u[degrees].is_nan());
-                continue;
-            };
-            let expected = driven.coordinates(&position).map(|x| x.0);
-            assert!((u[degrees] - expected[0]).abs() < 1e-13);
-            assert!((v[degrees] - expected[1]).abs() < 1e-13);
-            reached += 1;
-        }
-        assert!(reached > 90, "{reached}");
+    pub(super) fn driven() -> Driven<f64> {
+        linkage([[0.1, 0.2], [3.0, -0.4], [0.9, 1.3], [2.1, 2.2], [1.7, 2.9]])
+    }
+
+    /// On either side, of which the crank turns fully or does not, the last far from the origin.
+    pub(super) fn linkages() -> [Driven<f64>; 4] {
+        [
+            driven(),
+            linkage([[0.1, 0.2], [3.0, -0.4], [0.9, 1.3], [2.1, -2.2], [7.7, 2.9]]),
+            linkage([[0.0, 0.0], [4.0, 0.3], [0.7, 0.8], [3.1, 3.2], [1.2, 5.9]]),
+            linkage([
+                [100.0, 0.0],
+                [104.0, 0.3],
+                [99.3, 0.8],
+                [103.1, -3.2],
+                [101.2, 1.9],
+            ]),
+        ]
     }
 
     #[test]
