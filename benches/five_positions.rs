@@ -33,6 +33,8 @@ type Five<K> = [Displacement<K>; 5];
 const DIGITS: [u32; 5] = [16, 30, 100, 1000, 10_000];
 /// Problems at 10 000 digits; at less all of them.
 const FEW: usize = 20;
+/// Problems at once.
+const MANY: u16 = 50_000;
 
 fn main() {
     let problems =
@@ -50,6 +52,11 @@ fn main() {
     let rounded: Vec<Five<f64>> = problems.iter().map(in_floats).collect();
     let seconds = median(&rounded, floats::pairs);
     println!("f64 {seconds:.7}");
+    println!(
+        "f64-careful {:.7}",
+        median(&rounded, floats::careful::pairs)
+    );
+    println!("f64-many {:.9}", of_many(&rounded));
     report_errors(&problems, &rounded);
     println!("judge {:.7}", judge(&problems));
 }
@@ -69,6 +76,17 @@ fn median<P, A>(problems: &[P], solve: impl Fn(&P) -> A) -> f64 {
         .collect();
     seconds.sort_by(f64::total_cmp);
     seconds.get(seconds.len() / 2).copied().unwrap_or(f64::NAN)
+}
+
+/// The time of a problem among many on all cores, those given over and over.
+fn of_many(problems: &[Five<f64>]) -> f64 {
+    let many: Vec<Five<f64>> = problems.iter().cycle().take(MANY.into()).cloned().collect();
+    let time = || {
+        let start = Instant::now();
+        black_box(floats::pairs_of_many(black_box(&many)));
+        start.elapsed().as_secs_f64()
+    };
+    (0..20).map(|_| time()).fold(f64::INFINITY, f64::min) / f64::from(MANY)
 }
 
 type Points = (Vec<[Point<Ball>; 2]>, Vec<[Number<Complex<Ball>>; 4]>);

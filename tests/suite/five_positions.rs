@@ -11,15 +11,17 @@
 use crate::support::positions::{
     Position, numbers, point, points, position, positions, turn, turns,
 };
+use crate::support::seed::generator;
 use burmester::finite::five_positions::conditioning::conditioning;
 use burmester::finite::five_positions::conics::{Isolated, Pairs, Place, pairs};
 use burmester::finite::five_positions::{floats, krawczyk};
 use burmester::finite::four_positions::circle_conditions;
 use burmester::number::univariate::Polynomial;
 use burmester::number::{Ball, Complex, Exact, Number};
-use burmester::plane::Point;
 use burmester::plane::displacement::Displacement;
+use burmester::plane::{Angle, Point};
 use proptest::prelude::*;
+use rand::Rng;
 
 type Five = [Position; 5];
 
@@ -237,4 +239,131 @@ fn a_textbook_case() {
     let eliminant = isolated.eliminant().unwrap();
     assert_eq!(eliminant.degree(), Some(4));
     println!("{eliminant}");
+}
+
+/// The larger one of the errors of z and M, relative to their size, of every real pair that is not
+/// nearly double or nearly at infinity; infinite where there is none nearby.
+fn errors(five: &Five, solve: impl Fn(&[Displacement<f64>; 5]) -> Vec<[f64; 4]>) -> Vec<f64> {
+    let Some(isolated) = isolated(five) else {
+        return Vec::new();
+    };
+    let found = solve(&five.each_ref().map(|d| Displacement {
+        rotation: float(&d.rotation),
+        translation: float(&d.translation),
+    }));
+    let real = isolated.real(BITS).into_iter();
+    let finite = real.filter(|pair| pair.place == Place::Finite && pair.multiplicity == 1);
+    finite
+        .map(|pair| {
+            let [z, m] = pair.points();
+            let wanted =
+                [z.re(), z.im(), m.re(), m.im()].map(|x| x.0.midpoint_rational().unwrap().to_f64());
+            let size = wanted.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+            let error = |given: &[f64; 4]| {
+                let distance = given.iter().zip(wanted);
+                distance.fold(0.0, |a: f64, (b, c)| a.max((b - c).abs())) / size
+            };
+            found.iter().map(error).fold(f64::INFINITY, f64::min)
+        })
+        .collect()
+}
+
+fn quotients(pair: &[Number<Complex<f64>>; 7]) -> Option<[f64; 4]> {
+    let [h, x, y, cx, cy, ..] = pair.each_ref().map(|z| z.re().0);
+    let is_real = pair.iter().all(|z| z.im().0 == 0.0);
+    (is_real && h != 0.0).then(|| [x / h, y / h, cx / h, cy / h])
+}
+
+/// Random problems, and nearby ones of each degenerate kind: two positions nearly equal, turns nearly
+/// nothing, a pair nearly at infinity, places far from the origin or very small.
+fn hard_problems() -> Vec<(&'static str, Vec<Five>)> {
+    let mut random = generator("hard problems");
+    let mut fraction = move || -> Number<Exact> {
+        Number::ratio(random.random_range(-60..=60), random.random_range(1..=12))
+    };
+    let mut one = move || -> Five {
+        std::array::from_fn(|_| {
+            let turn = Angle::from_tan_half(&fraction()).cis();
+            position(turn, Number::complex(fraction(), fraction()))
+        })
+    };
+    let mut many = |change: &dyn Fn(Five) -> Five| (0..60).map(|_| change(one())).collect();
+    let tiny = || Number::<Exact>::ratio(1, 1_000_000);
+    let factor = |power: i32| Number::<Exact>::from(10).power(power);
+    vec![
+        ("random", many(&|five| five)),
+        (
+            "nearly equal",
+            many(&|[a, b, c, d, e]| {
+                let turn = Angle::from_tan_half(&tiny()).cis();
+                let b = position(
+                    &a.rotation * turn,
+                    &a.translation + b.translation.scaled(&tiny()),
+                );
+                [a, b, c, d, e]
+            }),
+        ),
+        (
+            "nearly without turns",
+            many(&|five| {
+                five.map(|d| {
+                    let half = d.rotation.im() * tiny();
+                    position(Angle::from_tan_half(&half).cis(), d.translation)
+                })
+            }),
+        ),
+        (
+            "nearly a slide",
+            many(&|five| {
+                five.map(|d| {
+                    let [x, y] = [d.translation.re().clone(), d.translation.im() * tiny()];
+                    position(d.rotation, Number::complex(x, y))
+                })
+            }),
+        ),
+        (
+            "far away",
+            many(&|five| five.map(|d| position(d.rotation, d.translation + Number::from(100_000)))),
+        ),
+        (
+            "small",
+            many(&|five| five.map(|d| position(d.rotation, d.translation.scaled(&factor(-30))))),
+        ),
+        (
+            "large",
+            many(&|five| five.map(|d| position(d.rotation, d.translation.scaled(&factor(30))))),
+        ),
+    ]
+}
+
+/// By the same measure the quick way, with what it leaves to the careful one, errs as little as the
+/// careful one alone.
+#[test]
+fn quick_pairs_err_no_more_than_careful_ones() {
+    let list = |pairs: Option<Vec<[Number<Complex<f64>>; 7]>>| -> Vec<[f64; 4]> {
+        pairs.iter().flatten().filter_map(quotients).collect()
+    };
+    let at = |errors: &[f64], hundredths: usize| errors[(errors.len() - 1) * hundredths / 100];
+    for (name, problems) in hard_problems() {
+        let mut both = [Vec::new(), Vec::new()];
+        for five in &problems {
+            both[0].extend(errors(five, |five| list(floats::pairs(five))));
+            both[1].extend(errors(five, |five| list(floats::careful::pairs(five))));
+        }
+        let [quick, careful] = both.each_mut().map(|errors| {
+            errors.sort_by(f64::total_cmp);
+            [50, 90, 97].map(|hundredths| at(errors, hundredths))
+        });
+        let shown = |errors: [f64; 3]| errors.map(|error| format!("{error:.1e}")).join(" ");
+        println!(
+            "{name}: {} pairs, quick {}, careful {}",
+            both[0].len(),
+            shown(quick),
+            shown(careful)
+        );
+        assert!(both[0].len() > 20, "{name}");
+        for (quick, careful) in quick.into_iter().zip(careful) {
+            assert!(quick <= 4.0 * careful, "{name}: {quick:e}, {careful:e}");
+        }
+    }
 }

@@ -1,19 +1,16 @@
-//! The Burmester pairs in machine floats: fast, nothing certified.
+//! One problem after another, in several charts where one degenerates.
 
-use super::chart::Chart;
-use super::conditions::{Coordinates, products, rows};
+use super::super::chart::Chart;
+use super::super::conditions::{Coordinates, products, rows};
+use super::{NEGLIGIBLE, Pair};
 use crate::number::univariate::approximate_roots;
 use crate::number::{Complex, Number};
 use crate::plane::displacement::Displacement;
 
-/// Below this share of the largest coordinate h counts as zero: the pair is at infinity.
-const NEGLIGIBLE: f64 = 1e-13;
 /// Newton steps that each pair is improved by.
 const STEPS: usize = 3;
 /// How many charts are tried.
 const CHARTS: i64 = 8;
-
-type Pair = Coordinates<Complex<f64>>;
 
 /// All pairs by h, x, y, X, Y, p, q, of which h is zero for those at infinity; real ones have real
 /// coordinates, and of two conjugate ones there is one. `None` where these are not found, as in
