@@ -17,6 +17,7 @@ use burmester::plane::circular_cubic::Cubic;
 use burmester::plane::curve_type::curve_type;
 use burmester::plane::displacement::Displacement;
 use burmester::plane::focal_cubic::FocalCubic;
+use burmester::plane::pencil::meets;
 use burmester::plane::projective::ProjectivePoint;
 use burmester::plane::trace::Trace;
 use burmester::plane::{Angle, Point};
@@ -61,6 +62,7 @@ fn coefficients_by_poles(bencher: Bencher<'_, '_>, route: &str) {
 }
 
 const POINTS: i64 = 10_000;
+const LINES: u16 = 5_000;
 
 fn trace<K: Real>(convert: impl Fn(&Rational) -> Number<K>) -> Trace<K> {
     let cubic = circle_conditions::centerpoint_cubic(&positions()).unwrap();
@@ -93,6 +95,24 @@ fn ten_thousand_points_f64(bencher: Bencher<'_, '_>) {
     let trace = trace::<f64>(|q| Number(q.to_f64()));
     let turns = turns::<f64>(&());
     bencher.bench_local(|| all_points(black_box(&trace), black_box(&turns)));
+}
+
+/// Both points of five thousand lines through the focus.
+#[divan::bench]
+fn ten_thousand_points_f64_slices(bencher: Bencher<'_, '_>) {
+    let cubic = circle_conditions::centerpoint_cubic(&positions()).unwrap();
+    let coefficients = cubic.coefficients().each_ref();
+    let floats = coefficients.map(|c| Number(c.0.rational().unwrap().to_f64()));
+    let curve = FocalCubic::of(&Cubic::<f64>::new(floats)).unwrap();
+    let angle = |line: u16| f64::from(line) * std::f64::consts::PI / f64::from(LINES);
+    let [cos, sin] =
+        [f64::cos, f64::sin].map(|f| (0..LINES).map(|n| f(angle(n))).collect::<Vec<_>>());
+    let mut points = [(); 4].map(|()| vec![0.0; LINES.into()]);
+    bencher.bench_local(|| {
+        let [x, y, u, v] = &mut points;
+        meets(black_box(&curve), [&cos, &sin], [[x, y], [u, v]]);
+        black_box(&points);
+    });
 }
 
 #[divan::bench(sample_count = 20)]

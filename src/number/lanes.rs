@@ -17,6 +17,14 @@ pub(crate) fn level() -> Level {
     *LEVEL
 }
 
+/// Too few for all lanes, and zeros.
+#[inline(always)]
+pub(crate) fn filled(few: &[f64]) -> [f64; LANES] {
+    let mut all = [0.0; LANES];
+    all.iter_mut().zip(few).for_each(|(place, x)| *place = *x);
+    all
+}
+
 /// All instruction sets that can be tried here.
 #[cfg(test)]
 pub(crate) fn levels() -> Vec<Level> {

@@ -14,6 +14,7 @@ pub mod hessian;
 pub mod inflexions;
 pub mod isotropic;
 pub mod line;
+pub mod pencil;
 pub mod polynomial;
 pub mod projective;
 pub mod quadrilateral;

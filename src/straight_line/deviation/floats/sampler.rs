@@ -209,7 +209,7 @@ impl<S: Simd> Constants<S> {
         if last_u.is_empty() || last_v.is_empty() {
             return;
         }
-        let last = self.places([&filled(last_cos), &filled(last_sin)]);
+        let last = self.places([&lanes::filled(last_cos), &lanes::filled(last_sin)]);
         for (places, found) in [last_u, last_v].into_iter().zip(last) {
             places
                 .iter_mut()
@@ -237,13 +237,6 @@ impl<S: Simd> Constants<S> {
 #[inline(always)]
 fn product<S: Simd>([a, b]: Pair<S>, [x, y]: Pair<S>) -> Pair<S> {
     [a * x - b * y, a * y + b * x]
-}
-
-#[inline(always)]
-fn filled(few: &[f64]) -> [f64; LANES] {
-    let mut all = [0.0; LANES];
-    all.iter_mut().zip(few).for_each(|(place, x)| *place = *x);
-    all
 }
 
 #[inline(always)]
