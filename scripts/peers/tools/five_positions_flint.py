@@ -1,10 +1,7 @@
 """Burmester pairs of five rational positions with python-flint: what a careful user of it would write.
 
-Usage: python3 scripts/peers/five_positions_flint.py PROBLEMS [digits ...]
-
-PROBLEMS holds one problem a line (scripts/five_positions_outside.py --write). All are read first. Each is then
-solved from its rational numbers to all pairs, real and complex, as certified balls of so many digits, the
-number of real ones proven; printed is the median time of a problem, one line `digits seconds` each.
+Each problem is solved from its rational numbers to all pairs, real and complex, as certified balls of so many
+digits, the number of real ones proven.
 
 The steps: FLINT's fraction-free elimination of an integer matrix, two conics, their resultant; starting
 values in floats; Newton's method with a precision that doubles, its last step on balls, which proves one
@@ -12,34 +9,16 @@ root in each; four disjoint balls hold all roots. Where the floats do not suffic
 """
 
 import cmath
-import json
-import pathlib
-import statistics
-import sys
-import time
 from math import gcd
 
-from flint import acb, acb_poly, arb, arb_poly, ctx, fmpq, fmpz_mat, fmpz_poly
+from flint import acb, acb_poly, arb, arb_poly, ctx, fmpz_mat, fmpz_poly
+
+from . import run
+from .numbers import rational, written
 
 # Bits that starting values in floats are trusted with before that is proven.
 FLOAT_BITS = 44
 POWERS = [arb(2) ** -k for k in range(FLOAT_BITS + 1)]
-
-
-def rational(text):
-    p, _, q = text.partition("/")
-    return fmpq(int(p), int(q or 1))
-
-
-def position(entry):
-    """Cosine, sine, x, y."""
-    angle = entry["angle"]
-    if "cos" in angle:
-        c, s = rational(angle["cos"]), rational(angle["sin"])
-    else:
-        t = rational(angle["tan_half"])
-        c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
-    return c, s, rational(entry["x"]), rational(entry["y"])
 
 
 def integral(c, s, x, y):
@@ -199,15 +178,20 @@ def is_sharp(pair, digits):
 
 
 def main():
-    lines = pathlib.Path(sys.argv[1]).read_text().splitlines()
-    problems = [[position(entry) for entry in json.loads(line)["positions"]] for line in lines]
-    for digits in map(int, sys.argv[2:] or ("16", "30", "100", "1000", "10000")):
-        times = []
-        for problem in problems:
-            start = time.perf_counter()
-            solved(problem, digits)
-            times.append(time.perf_counter() - start)
-        print(digits, f"{statistics.median(times):.3g}", flush=True)
+    row, lines, answers = run.arguments()
+    digits = int(row.partition("-")[2])
+    problems = [grouped([rational(word) for word in line]) for line in lines]
+
+    def as_text(found):
+        real, pairs = found
+        return [real, [[written(z) for z in pair] for pair in pairs]]
+
+    run.each("pairs", problems, lambda problem: solved(problem, digits), as_text, answers)
+
+
+def grouped(numbers):
+    """Cosine, sine, x, y of every position."""
+    return [numbers[i : i + 4] for i in range(0, len(numbers), 4)]
 
 
 if __name__ == "__main__":
