@@ -3,7 +3,7 @@
 //! `peers ROW FILE answers|times` prints JSON lines as every program of `scripts/peers` does: for each task
 //! of the row `{"task": …, "seconds": …}`, and after the word `answers` `{"task": …, "answer": …}` for each
 //! problem. A line of the file is one problem, as numbers p/q. A ball is written "m e r f" in hexadecimal,
-//! m 2^e ± r 2^f.
+//! m 2^e ± r 2^f, an exact number as p/q.
 #![expect(
     clippy::unwrap_used,
     clippy::indexing_slicing,
@@ -18,9 +18,7 @@ use burmester::finite::five_positions::{floats, krawczyk};
 use burmester::finite::four_positions::circle_conditions;
 use burmester::number::text::parse_rational;
 use burmester::number::univariate::Polynomial;
-use burmester::number::{
-    Ball, Complex, Exact, Fraction, Kind, Number, Real, Ring,
-};
+use burmester::number::{Ball, Complex, Exact, Fraction, Kind, Number, Real, Ring};
 use burmester::plane::curve_type::CurveType;
 use burmester::plane::displacement::Displacement;
 use burmester::plane::focal_cubic::FocalCubic;
@@ -35,6 +33,8 @@ use serde_json::{Value, json};
 type Five<K> = [Displacement<K>; 5];
 type Line = Vec<Rational>;
 
+/// Bits that are asked for beyond those which are wanted.
+const SPARE_BITS: u32 = 32;
 /// Points of a curve.
 const POINTS: i64 = 10_000;
 
@@ -83,7 +83,11 @@ impl Run {
     ) {
         let mut seconds: Vec<f64> = problems
             .iter()
-            .map(|problem| (0..3).map(|_| timed(|| solve(problem))).fold(f64::MAX, f64::min))
+            .map(|problem| {
+                (0..3)
+                    .map(|_| timed(|| solve(problem)))
+                    .fold(f64::MAX, f64::min)
+            })
             .collect();
         self.seconds(task, median(&mut seconds));
         if self.answers {
@@ -128,14 +132,17 @@ impl Run {
             }
         };
         let all = |line: &Line| -> Vec<_> { line.chunks(4).map(position).collect() };
-        let all = self.lines.iter().map(|line| all(line).try_into().ok().unwrap());
+        let all = self
+            .lines
+            .iter()
+            .map(|line| all(line).try_into().ok().unwrap());
         all.collect()
     }
 
     /// `pairs` is what the kernel does as well: all pairs, isolated, none missing. `certificate` is all of
     /// it: every real pair is tested on the conditions themselves, too.
     fn five_certified(&self, digits: u32) {
-        let bits = digits * 10 / 3 + 16;
+        let bits = digits * 10 / 3 + 1;
         let problems = self.positions::<5>();
         self.each("pairs", &problems, |five| pairs(five, bits), written_pairs);
         let certificate = |five: &Five<Exact>| {
@@ -175,7 +182,11 @@ impl Run {
         let solve = |four: &[Displacement<Exact>; 4]| circle_conditions::centerpoint_cubic(four);
         self.each("coefficients", &self.positions::<4>(), solve, |cubic| {
             let coefficients = cubic.as_ref().unwrap().coefficients().iter();
-            json!(coefficients.map(|c| c.0.rational().unwrap().to_string()).collect::<Vec<_>>())
+            json!(
+                coefficients
+                    .map(|c| c.0.rational().unwrap().to_string())
+                    .collect::<Vec<_>>()
+            )
         });
     }
 
@@ -189,7 +200,11 @@ impl Run {
                 nu: point(5),
             };
             let two = curve.discriminant().sign().unwrap().is_gt();
-            let kind = if two { CurveType::TwoBranches } else { CurveType::OneBranch };
+            let kind = if two {
+                CurveType::TwoBranches
+            } else {
+                CurveType::OneBranch
+            };
             Trace::new(curve, kind).unwrap()
         };
         self.lines.iter().map(trace).collect()
@@ -221,7 +236,9 @@ impl Run {
                 .collect()
         };
         self.each("points", &problems, solve, |points| {
-            let coordinates = points.iter().map(|point| point.coordinates().each_ref().map(&number));
+            let coordinates = points
+                .iter()
+                .map(|point| point.coordinates().each_ref().map(&number));
             json!(coordinates.collect::<Vec<_>>())
         });
     }
@@ -321,32 +338,69 @@ struct Pairs {
     complex: Vec<[Number<Complex<Ball>>; 4]>,
 }
 
+/// All finite pairs, every point known to so many bits of its larger coordinate.
 fn pairs(five: &Five<Exact>, bits: u32) -> Pairs {
+    let mut working = bits + SPARE_BITS;
+    loop {
+        let found = pairs_of_roots(five, working);
+        if found.are_sharp(bits) {
+            return found;
+        }
+        working += 2 * SPARE_BITS;
+    }
+}
+
+fn pairs_of_roots(five: &Five<Exact>, bits: u32) -> Pairs {
     let found = certified(five, bits).unwrap();
     let quotients = |[h, x, y, cx, cy, ..]: &Coordinates<Complex<Ball>>| {
         let inverse = h.inverse();
         [x, y, cx, cy].map(|part| part * &inverse)
     };
     Pairs {
-        real: (found.real.iter()).map(|pair| finite_pair(&pair.coordinates)).collect(),
-        complex: (found.complex.iter()).map(|pair| quotients(&pair.coordinates)).collect(),
+        real: (found.real.iter())
+            .map(|pair| finite_pair(&pair.coordinates))
+            .collect(),
+        complex: (found.complex.iter())
+            .map(|pair| quotients(&pair.coordinates))
+            .collect(),
     }
+}
+
+impl Pairs {
+    fn are_sharp(&self, bits: u32) -> bool {
+        let mut real = self.real.iter().flatten();
+        let mut complex = self.complex.iter().flat_map(|pair| pair.chunks(2));
+        real.all(|point| is_sharp(&[point.re(), point.im()], bits))
+            && complex.all(|point| {
+                let parts: Vec<_> = point.iter().flat_map(|z| [z.re(), z.im()]).collect();
+                is_sharp(&parts, bits)
+            })
+    }
+}
+
+fn is_sharp(parts: &[&Number<Ball>], bits: u32) -> bool {
+    if (parts.iter()).all(|x| x.0.accuracy_bits() > Some(i64::from(bits))) {
+        return true;
+    }
+    let middles = parts.iter().map(|x| x.0.midpoint_rational().unwrap().abs());
+    let most = middles.max().unwrap() >> bits;
+    (parts.iter()).all(|x| x.0.radius_rational().unwrap() <= most)
 }
 
 /// The number of real pairs, and x, y, X, Y of all.
 fn written_pairs(pairs: &Pairs) -> Value {
-    let real = (pairs.real.iter())
-        .map(|[z, m]| json!([z.re(), z.im(), m.re(), m.im()].map(written_ball)));
+    let real =
+        (pairs.real.iter()).map(|[z, m]| json!([z.re(), z.im(), m.re(), m.im()].map(written_ball)));
     let part = |z: &Number<Complex<Ball>>| [z.re(), z.im()].map(written_ball);
-    let complex = pairs.complex.iter().map(|pair| json!(pair.each_ref().map(part)));
+    let complex = pairs
+        .complex
+        .iter()
+        .map(|pair| json!(pair.each_ref().map(part)));
     json!([pairs.real.len(), real.chain(complex).collect::<Vec<_>>()])
 }
 
 /// Points of the unit circle: half of it for each of two branches, as for one.
-fn trace_all<K: Real>(
-    trace: &Trace<K>,
-    number: impl Fn(&Rational) -> Number<K>,
-) -> Vec<Point<K>> {
+fn trace_all<K: Real>(trace: &Trace<K>, number: impl Fn(&Rational) -> Number<K>) -> Vec<Point<K>> {
     let half = POINTS / 2 / i64::try_from(trace.branches().len()).unwrap();
     (-half..half)
         .map(|n| {
@@ -365,13 +419,18 @@ fn in_balls(position: &Displacement<Exact>, bits: u32) -> Displacement<Ball> {
     position.map(|x| Number::rounded(x.0.rational().unwrap(), &bits))
 }
 
+/// "m e r f", or "p/q" where it is exact but no binary number.
 fn written_ball(x: &Number<Ball>) -> Value {
-    let dyadic = |q: Rational| {
+    let [middle, radius] = [x.0.midpoint_rational(), x.0.radius_rational()].map(Option::unwrap);
+    if !middle.denom().is_power_of_two() {
+        assert_eq!(radius, 0, "a midpoint is a binary number");
+        return json!(middle.to_string());
+    }
+    let binary = |q: Rational| {
         let (p, q) = q.into_numer_denom();
         format!("{p:x} -{:x}", q.significant_bits() - 1)
     };
-    let (middle, radius) = (x.0.midpoint_rational().unwrap(), x.0.radius_rational().unwrap());
-    json!(format!("{} {}", dyadic(middle), dyadic(radius)))
+    json!(format!("{} {}", binary(middle), binary(radius)))
 }
 
 fn answer(task: &str, answer: &Value) {
@@ -379,13 +438,34 @@ fn answer(task: &str, answer: &Value) {
 }
 
 /// Seconds that this thread has had a processor for: others on the machine do not count.
-#[cfg(unix)]
+#[cfg(all(target_os = "linux", target_pointer_width = "64"))]
+#[expect(unsafe_code, reason = "the standard library has no such clock")]
 fn clock() -> f64 {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
-    std::time::Duration::try_from(time).unwrap().as_secs_f64()
+    #[repr(C)]
+    struct Time {
+        seconds: i64,
+        nanoseconds: i64,
+    }
+    unsafe extern "C" {
+        fn clock_gettime(clock: i32, time: *mut Time) -> i32;
+    }
+    const THREAD_CPU_TIME: i32 = 3;
+    let mut time = Time {
+        seconds: 0,
+        nanoseconds: 0,
+    };
+    // SAFETY: the C library's function of this name, given room for its result.
+    let status = unsafe { clock_gettime(THREAD_CPU_TIME, &raw mut time) };
+    assert_eq!(status, 0, "no clock");
+    let [seconds, nanoseconds] = [time.seconds, time.nanoseconds].map(u64::try_from);
+    std::time::Duration::new(
+        seconds.unwrap(),
+        u32::try_from(nanoseconds.unwrap()).unwrap(),
+    )
+    .as_secs_f64()
 }
 
-#[cfg(not(unix))]
+#[cfg(not(all(target_os = "linux", target_pointer_width = "64")))]
 fn clock() -> f64 {
     static START: std::sync::LazyLock<std::time::Instant> =
         std::sync::LazyLock::new(std::time::Instant::now);

@@ -18,7 +18,7 @@ def installed():
     if done.exists() and done.read_text() == wanted:
         return
     print(f"installing {', '.join(wanted.split())} from PyPI into {PLACE}", file=sys.stderr)
-    venv.create(PLACE, with_pip=True)
+    venv.create(PLACE, clear=True, symlinks=os.name != "nt", with_pip=True)
     pip = [PYTHON, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
     results = [subprocess.run([*pip, peer]).returncode for peer in wanted.split()]
     if not any(results):

@@ -23,7 +23,7 @@ def number(text):
     """A ball; decimals of a tool that certifies nothing as their own digits, but for the last ten."""
     if isinstance(text, list):
         return acb(number(text[0]), number(text[1]))
-    if " " in text and "." not in text:
+    if "/" in text or (" " in text and "." not in text):
         return ball(text)
     return arb(text.replace(" ", "").replace("E", "e"))
 
@@ -34,8 +34,7 @@ def pairs(answer, reference, digits, certified=True):
     if real != wanted_real or len(found) != len(wanted):
         raise Disagreement(f"{real} real of {len(found)} pairs, not {wanted_real} of {len(wanted)}")
     ctx.prec = digits * 10 // 3 + 200
-    found = [[acb(number(z)) for z in pair] for pair in found]
-    wanted = [[acb(number(z)) for z in pair] for pair in wanted]
+    found, wanted = upper(found), upper(wanted)
     for pair in found:
         if certified and not all(sharp(point, digits) for point in (pair[:2], pair[2:])):
             raise Disagreement(f"a pair is not known to {digits} digits")
@@ -47,6 +46,12 @@ def pairs(answer, reference, digits, certified=True):
         wanted.remove(fits[0])
 
 
+def upper(pairs):
+    """Of conjugate pairs that with x above the real axis."""
+    pairs = [[acb(number(z)) for z in pair] for pair in pairs]
+    return [[z.conjugate() for z in pair] if pair[0].imag < 0 else pair for pair in pairs]
+
+
 def sharp(point, digits):
     size = max(max(abs(z.real).lower(), abs(z.imag).lower()) for z in point) * arb(10) ** -digits
     return all(part.rad() <= size for z in point for part in (z.real, z.imag))
@@ -56,10 +61,10 @@ def float_pairs(answer, reference):
     real, wanted = reference
     if sum(all(im == 0 for _, im in pair) for pair in answer) != real or len(answer) != len(wanted):
         raise Disagreement(f"{len(answer)} pairs, or not {real} of them real")
-    wanted = [[complex(acb(number(z))) for z in pair] for pair in wanted]
+    wanted = [[complex(z) for z in pair] for pair in upper(wanted)]
     worst = 0
     for pair in answer:
-        pair = [complex(*z) for z in pair]
+        pair = [complex(re, -im if pair[0][1] < 0 else im) for re, im in pair]
         off = [max(abs(z - w) for z, w in zip(pair, other)) / max(map(abs, other)) for other in wanted]
         nearest = min(off)
         wanted.pop(off.index(nearest))

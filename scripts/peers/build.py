@@ -74,6 +74,7 @@ def arb(cc):
 
 def arb_version(cc="cc"):
     """The version of the Arb that the kernels are built with."""
+    (PLACE / "kernels").mkdir(parents=True, exist_ok=True)
     text = '#include "balls.h"\nint main(void) { puts(flint_version);' + "\n#ifdef ARB_ALONE\nputs(arb_version);\n#endif\n}"
     for _, libraries, defines in ARB:
         program = PLACE / "kernels" / "version"

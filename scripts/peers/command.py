@@ -107,7 +107,7 @@ class Measurement:
     """All programs of a row, alternately; seconds by program and task, and where answers disagree."""
 
     def __init__(self, row, runner, chosen):
-        self.row, self.missing, self.seconds, self.complaints = row, {}, {}, []
+        self.row, self.missing, self.seconds, self.worst, self.complaints = row, {}, {}, {}, []
         self.file = build.PLACE / f"{row.name}.txt"
         from .problems import written
 
@@ -158,7 +158,6 @@ class Measurement:
             self.complaints.append("there is no reference to compare with")
             return
         by_task = {task: found for (name, task), found in answers.items() if name == module}
-        self.worst = 0
         for (name, task), found in answers.items():
             loose = any(peer.module == name and peer.loose for line in self.row.lines for peer in line.peers)
             check = self.row.loose_check if loose else self.row.check
@@ -166,7 +165,9 @@ class Measurement:
             reference = reference * len(found) if len(reference) == 1 else reference
             for number, (ours, theirs) in enumerate(zip(found, reference, strict=True), 1):
                 try:
-                    self.worst = max(self.worst, check(ours, theirs) or 0)
+                    off = check(ours, theirs)
+                    if off is not None:
+                        self.worst[name] = max(self.worst.get(name, 0), off)
                 except Disagreement as error:
                     self.complaints.append(f"{name}, {task}, problem {number}: {error}")
                     break
@@ -201,7 +202,7 @@ class Measurement:
         ]
         rounds = {f"{name}, {task}": times for (name, task), times in self.seconds.items()}
         data = {"row": self.row.name, "line": line.title, "ours": ours, "tools": tools, "kernel": kernel, "target": cells[6],
-                "met": cells[7], "worst deviation of doubles": self.worst or None, "missing": self.missing, "rounds": rounds}
+                "met": cells[7], "doubles are off by": self.worst, "missing": self.missing, "rounds": rounds}
         return cells, data
 
 

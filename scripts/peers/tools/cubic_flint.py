@@ -14,7 +14,7 @@ def solved(words):
     entries = []
     for row, k in others:
         c, s, p, q, h, a, b = (x * unit - y * k for x, y in zip(row, base))
-        entries.append(((c, -s, p), (s, c, q), (a, b, h)))
+        entries.append(((c, s, p), (-s, c, q), (a, b, h)))
     (a1, a2, a3), (b1, b2, b3), (c1, c2, c3) = entries
     total = [0] * 10
     for entry, conic in ((a1, minor(b2, c3, b3, c2)), (a2, minor(b3, c1, b1, c3)), (a3, minor(b1, c2, b2, c1))):

@@ -1,4 +1,4 @@
-"""Numbers of a problem and balls, as text: "m e r f" in hexadecimal is m 2^e +- r 2^f."""
+"""Numbers of a problem and balls, as text: "m e r f" in hexadecimal is m 2^e +- r 2^f, p/q exact."""
 
 from flint import acb, arb, fmpq
 
@@ -23,5 +23,7 @@ def written(x):
 def ball(text):
     if isinstance(text, list):
         return acb(ball(text[0]), ball(text[1]))
+    if "/" in text:
+        return arb(rational(text))
     m, e, r, f = map(power, text.split())
     return arb((m, e), (r, f))
