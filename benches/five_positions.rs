@@ -1,9 +1,8 @@
 //! Five positions: all Burmester pairs, to so many digits, and in machine floats.
 //!
 //! `cargo bench --bench five_positions` times problems of its own; with BURMESTER_PROBLEMS set to a
-//! file of them, one a line (`scripts/five_positions_outside.py --write FILE`), those, as
-//! `scripts/peers/five_positions_flint.py` does: printed is the median of a problem, a line
-//! `digits seconds` each. `scripts/peers/five_positions.sh` runs both, one after the other.
+//! file of them, one a line (`scripts/five_positions_outside.py --write FILE`), those: printed is the
+//! median of a problem, a line `digits seconds` each. `python3 scripts/peers` compares with other tools.
 //!
 //! For comparison, on one core of an x86-64 server with AVX-512 (medians of 2026-11-22): 266 µs at 100
 //! and 1.46 ms at 1000 digits with python-flint; in f64 60 to 90 µs with numpy for one

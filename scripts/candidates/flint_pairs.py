@@ -1,6 +1,6 @@
 """Five rational positions by python-flint, as a careful user of it would: certified balls, 30 digits.
 
-The solver is scripts/peers/five_positions_flint.py. It does not do pairs at infinity or infinitely many.
+The solver is scripts/peers/tools/five_positions_flint.py. It does not do pairs at infinity or infinitely many.
 
 Installed with `pip install python-flint`; tried with Python 3.11.7, python-flint 0.9.0.
 """
@@ -8,10 +8,10 @@ Installed with `pip install python-flint`; tried with Python 3.11.7, python-flin
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "peers"))
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent))
 
-import five_positions_flint as peer
 from flint import arb, ctx, fmpq
+from peers.tools import five_positions_flint as peer
 
 from protocol import Skipped, serve
 
@@ -38,7 +38,18 @@ def is_sharp(found, digits):
     return sharp(found, digits)
 
 
-peer.rational, peer.is_sharp = rational, is_sharp
+peer.is_sharp = is_sharp
+
+
+def position(entry):
+    """Cosine, sine, x, y."""
+    angle = entry["angle"]
+    if "cos" in angle:
+        c, s = rational(angle["cos"]), rational(angle["sin"])
+    else:
+        t = rational(angle["tan_half"])
+        c, s = (1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)
+    return c, s, rational(entry["x"]), rational(entry["y"])
 
 
 def shown(ball):
@@ -62,7 +73,7 @@ def solve(problem):
     if not all("angle" in e and ("cos" in e["angle"] or "tan_half" in e["angle"]) for e in entries):
         raise Skipped("rational cosines and sines only")
     try:
-        real, found = peer.solved([peer.position(e) for e in entries], DIGITS)
+        real, found = peer.solved([position(e) for e in entries], DIGITS)
     except (ValueError, ZeroDivisionError) as error:
         raise Skipped(str(error)) from None
     above = [pair(parts, c) for parts in found[real:] for c in (False, True)]

@@ -84,7 +84,7 @@ ROWS = [
     five_certified(100, [Target(FLINT, 0.4)], PART),
     five_certified(1000, [Target(FLINT, 0.5)], PART),
     Row(
-        "five-f64", problems.five_positions, 1000, "five_positions_f64.cpp",
+        "five-f64", problems.five_positions, 400, "five_positions_f64.cpp",
         [
             Line("five positions, f64, many problems", "many", [Peer("numpy", "five_positions_numpy", "many")], "many", PART),
             Line("five positions, f64, one problem", "one", [Peer("numpy", "five_positions_numpy", "one")], "many"),
