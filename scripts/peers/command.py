@@ -29,6 +29,7 @@ RUNNER = "ours"
 
 def main(arguments=None):
     parser = argparse.ArgumentParser(prog="python3 scripts/peers", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", nargs="?", choices=["table", "growth"], default="table", help="the table, or how cost grows with digits and problems")
     parser.add_argument("--rows", metavar="WORDS", help="only rows whose name has one of these words, separated by commas")
     parser.add_argument("--rounds", type=int, default=7, help="how often every program runs (%(default)s)")
     parser.add_argument("--seed", type=int, default=1888, help="of the problems (%(default)s)")
@@ -40,6 +41,10 @@ def main(arguments=None):
     except ImportError as error:
         print(f"{error.name} could not be installed, and without it no answer can be checked", file=sys.stderr)
         return 2
+    if chosen.what == "growth":
+        from . import growth
+
+        return growth.run(chosen)
     words = chosen.rows.split(",") if chosen.rows else [""]
     picked = [row for row in rows.ROWS if any(word in row.name for word in words)]
     if not picked:
@@ -59,18 +64,21 @@ def measured(rows, runner, chosen):
     print("\n".join(f"- {name}: {value}" for name, value in about.items()) + "\n")
     print("| row | ours | best tool | ratio | kernel | ratio | target | met |")
     print("| --- | ---: | ---: | ---: | ---: | ---: | --- | --- |", flush=True)
-    record, disagreed = [], False
+    record, accuracy, disagreed = [], [], False
     for row in rows:
         result = Measurement(row, runner, chosen)
         for line in row.lines:
             cells, data = result.line(line)
             print(f"| {' | '.join(cells)} |", flush=True)
             record.append(data)
+        if result.worst:
+            off = ", ".join(f"{name} {off:.1e}" for name, off in result.worst.items())
+            accuracy.append(f"- {row.name}, largest error against certified answers: {off}")
         for complaint in result.complaints:
             print(f"{row.name}: {complaint}", file=sys.stderr)
             disagreed = True
     about["load at the end"] = load()
-    print(f"\n- load at the end: {about['load at the end']}")
+    print("\n" + "\n".join([*accuracy, f"- load at the end: {about['load at the end']}"]))
     if chosen.json:
         pathlib.Path(chosen.json).write_text(json.dumps({"about": about, "rows": record}, indent=1) + "\n")
     return 1 if disagreed else 0
