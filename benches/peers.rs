@@ -6,6 +6,7 @@
 //! m 2^e ± r 2^f, an exact number as p/q.
 #![expect(
     clippy::unwrap_used,
+    clippy::panic,
     clippy::indexing_slicing,
     reason = "a benchmark that cannot set up has failed"
 )]
@@ -174,21 +175,24 @@ impl Run {
             let pairs = pairs.as_ref().unwrap();
             json!(pairs.iter().map(finite).collect::<Vec<_>>())
         };
-        let solve = |five: &Five<f64>| floats::pairs(five);
-        self.each("one", &problems, solve, written);
-        self.passes("many", &problems, solve, written);
+        self.each("one", &problems, floats::pairs, written);
+        self.passes("many", &problems, floats::pairs, written);
     }
 
     fn cubic(&self) {
-        let solve = |four: &[Displacement<Exact>; 4]| circle_conditions::centerpoint_cubic(four);
-        self.each("coefficients", &self.positions::<4>(), solve, |cubic| {
-            let coefficients = cubic.as_ref().unwrap().coefficients().iter();
-            json!(
-                coefficients
-                    .map(|c| c.0.rational().unwrap().to_string())
-                    .collect::<Vec<_>>()
-            )
-        });
+        self.each(
+            "coefficients",
+            &self.positions::<4>(),
+            circle_conditions::centerpoint_cubic,
+            |cubic| {
+                let coefficients = cubic.as_ref().unwrap().coefficients().iter();
+                json!(
+                    coefficients
+                        .map(|c| c.0.rational().unwrap().to_string())
+                        .collect::<Vec<_>>()
+                )
+            },
+        );
     }
 
     fn traces<K: Real>(&self, number: impl Fn(&Rational) -> Number<K>) -> Vec<Trace<K>> {
@@ -220,7 +224,7 @@ impl Run {
     fn curve_certified(&self, bits: u32) {
         let ball = |q: &Rational| Number::<Ball>::rounded(q, &bits);
         let all = |trace: &Trace<Ball>| trace_all(trace, ball);
-        self.curve(&self.traces(ball), all, |x| written_ball(x));
+        self.curve(&self.traces(ball), all, written_ball);
     }
 
     fn curve<K: Real>(

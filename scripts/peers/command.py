@@ -198,12 +198,14 @@ class Measurement:
         for target in line.targets:
             base = against.get(target.against)
             verdicts.append("unknown" if not (ours and base) else "met" if ours <= target.share * base else "missed")
+        alone = median.get(("kernel", f"mpfr {line.kernel}"))
+        plain = f" (MPFR alone {shown(alone)})" if alone else ""
         cells = [
             line.title,
             shown(ours) if ours else f"failed: {self.missing.get(RUNNER)}",
             said,
             ratio(ours, tools.get(best)),
-            shown(kernel) if kernel else f"no kernel: {self.missing.get('kernel', self.row.no_kernel)}",
+            shown(kernel) + plain if kernel else f"no kernel: {self.missing.get('kernel', self.row.no_kernel)}",
             ratio(ours, kernel),
             "; ".join(map(str, line.targets)) or "–",
             "; ".join(verdicts) or "–",
