@@ -94,9 +94,7 @@ impl<K: Kind> Kind for Complex<K> {
     }
 
     fn mul(&mut self, other: &Self) {
-        let re = &self.re * &other.re - &self.im * &other.im;
-        self.im = &self.re * &other.im + &self.im * &other.re;
-        self.re = re;
+        *self = self.times(other);
     }
 
     fn div(&mut self, other: &Self) {
@@ -104,6 +102,27 @@ impl<K: Kind> Kind for Complex<K> {
         let re = (&self.re * &other.re + &self.im * &other.im) / &norm;
         self.im = (&self.im * &other.re - &self.re * &other.im) / &norm;
         self.re = re;
+    }
+
+    fn plus(&self, other: &Self) -> Self {
+        Complex {
+            re: &self.re + &other.re,
+            im: &self.im + &other.im,
+        }
+    }
+
+    fn minus(&self, other: &Self) -> Self {
+        Complex {
+            re: &self.re - &other.re,
+            im: &self.im - &other.im,
+        }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Complex {
+            re: &self.re * &other.re - &self.im * &other.im,
+            im: &self.re * &other.im + &self.im * &other.re,
+        }
     }
 
     fn negate(&mut self) {

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
+use rug::ops::NegAssign;
 use rug::{Integer, Rational};
 
 use super::kind::EXCESSIVE_BITS;
@@ -23,6 +24,27 @@ impl Exact {
             (Some(a), Some(b)) => operate(a, b),
             _ => self.0 = None,
         }
+    }
+
+    /// The same with a quicker way for two integers.
+    fn combine_in_ring(
+        &mut self,
+        other: &Self,
+        integers: impl FnOnce(&mut Integer, &Integer),
+        operate: impl FnOnce(&mut Rational, &Rational),
+    ) {
+        self.combine(other, |a, b| {
+            if a.is_integer() && b.is_integer() {
+                #[expect(
+                    unsafe_code,
+                    reason = "with the denominator 1 any numerator is in lowest terms"
+                )]
+                let numerator = unsafe { a.as_mut_numer_denom_no_canonicalization().0 };
+                integers(numerator, b.numer());
+            } else {
+                operate(a, b);
+            }
+        });
     }
 }
 
@@ -47,15 +69,15 @@ impl Kind for Exact {
     }
 
     fn add(&mut self, other: &Self) {
-        self.combine(other, |a, b| *a += b);
+        self.combine_in_ring(other, |a, b| *a += b, |a, b| *a += b);
     }
 
     fn sub(&mut self, other: &Self) {
-        self.combine(other, |a, b| *a -= b);
+        self.combine_in_ring(other, |a, b| *a -= b, |a, b| *a -= b);
     }
 
     fn mul(&mut self, other: &Self) {
-        self.combine(other, |a, b| *a *= b);
+        self.combine_in_ring(other, |a, b| *a *= b, |a, b| *a *= b);
     }
 
     fn div(&mut self, other: &Self) {
@@ -68,8 +90,26 @@ impl Kind for Exact {
 
     fn negate(&mut self) {
         if let Some(q) = &mut self.0 {
-            *q = Rational::from(-&*q);
+            q.neg_assign();
         }
+    }
+
+    fn times(&self, other: &Self) -> Self {
+        Exact(match (&self.0, &other.0) {
+            (Some(a), Some(b)) if a.is_integer() && b.is_integer() => {
+                Some(Rational::from(Integer::from(a.numer() * b.numer())))
+            }
+            (Some(a), Some(b)) => Some(Rational::from(a * b)),
+            _ => None,
+        })
+    }
+
+    fn common_denominator<'a>(numbers: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        let mut common = Integer::from(1);
+        for Exact(number) in numbers {
+            common.lcm_mut(number.as_ref()?.denom());
+        }
+        (common != 1).then(|| Exact(Some(common.into())))
     }
 
     fn is_zero(&self) -> Truth {

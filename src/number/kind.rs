@@ -52,6 +52,42 @@ pub trait Kind: Clone + Debug + 'static {
     /// `−self`, in place.
     fn negate(&mut self);
 
+    /// `self + other`. Kinds with room of their own for each number need not copy an operand first;
+    /// so for the difference and the product.
+    #[inline]
+    fn plus(&self, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add(other);
+        sum
+    }
+    /// `self − other`.
+    #[inline]
+    fn minus(&self, other: &Self) -> Self {
+        let mut difference = self.clone();
+        difference.sub(other);
+        difference
+    }
+    /// `self · other`.
+    #[inline]
+    fn times(&self, other: &Self) -> Self {
+        let mut product = self.clone();
+        product.mul(other);
+        product
+    }
+    /// `self / other`; no value where `other` is zero.
+    #[inline]
+    fn over(&self, other: &Self) -> Self {
+        let mut quotient = self.clone();
+        quotient.div(other);
+        quotient
+    }
+
+    /// A number, not zero, that makes all of a list integers where it multiplies them, if that makes sums
+    /// and products quicker; `None` where there is nothing to gain.
+    fn common_denominator<'a>(_numbers: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        None
+    }
+
     /// Whether this is zero.
     fn is_zero(&self) -> Truth;
 

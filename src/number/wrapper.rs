@@ -182,9 +182,9 @@ impl<K: fmt::Display> fmt::Display for Number<K> {
     }
 }
 
-/// All forms of one operator. `$reversed` computes `a ∘ b` into an owned `b`.
+/// All forms of one operator. `$fresh` computes `a ∘ b` into a new number, `$reversed` into an owned `b`.
 macro_rules! operator {
-    ($op:ident, $method:ident, $assign_op:ident, $assign:ident, $reversed:expr) => {
+    ($op:ident, $method:ident, $assign_op:ident, $assign:ident, $fresh:ident, $reversed:expr) => {
         impl<K: Kind> $assign_op<&Number<K>> for Number<K> {
             #[inline]
             fn $assign(&mut self, other: &Number<K>) {
@@ -217,9 +217,7 @@ macro_rules! operator {
             type Output = Number<K>;
             #[inline]
             fn $method(self, other: &Number<K>) -> Number<K> {
-                let mut result = self.clone();
-                result.0.$method(&other.0);
-                result
+                Number(self.0.$fresh(&other.0))
             }
         }
         impl<K: Kind> $op<Number<K>> for &Number<K> {
@@ -242,44 +240,40 @@ macro_rules! operator {
             type Output = Number<K>;
             #[inline]
             fn $method(self, other: i64) -> Number<K> {
-                $op::$method(self.clone(), other)
+                Number(self.0.$fresh(&K::integer(other)))
             }
         }
         impl<K: Kind> $op<Number<K>> for i64 {
             type Output = Number<K>;
             #[inline]
             fn $method(self, other: Number<K>) -> Number<K> {
-                $op::$method(Number(K::integer(self)), other)
+                $op::$method(&Number(K::integer(self)), other)
             }
         }
         impl<K: Kind> $op<&Number<K>> for i64 {
             type Output = Number<K>;
             #[inline]
             fn $method(self, other: &Number<K>) -> Number<K> {
-                $op::$method(Number(K::integer(self)), other)
+                Number(K::integer(self).$fresh(&other.0))
             }
         }
     };
 }
 
-operator!(Add, add, AddAssign, add_assign, |a, mut b| {
+operator!(Add, add, AddAssign, add_assign, plus, |a, mut b| {
     b.add(a);
     b
 });
-operator!(Sub, sub, SubAssign, sub_assign, |a, mut b| {
+operator!(Sub, sub, SubAssign, sub_assign, minus, |a, mut b| {
     b.sub(a);
     b.negate();
     b
 });
-operator!(Mul, mul, MulAssign, mul_assign, |a, mut b| {
+operator!(Mul, mul, MulAssign, mul_assign, times, |a, mut b| {
     b.mul(a);
     b
 });
-operator!(Div, div, DivAssign, div_assign, |a, b| {
-    let mut quotient = a.clone();
-    quotient.div(&b);
-    quotient
-});
+operator!(Div, div, DivAssign, div_assign, over, |a, b| a.over(&b));
 
 impl<K: Kind> Neg for Number<K> {
     type Output = Number<K>;
@@ -300,12 +294,16 @@ impl<K: Kind> Neg for &Number<K> {
 
 impl<K: Kind> Sum for Number<K> {
     fn sum<I: Iterator<Item = Self>>(numbers: I) -> Self {
-        numbers.fold(Self::zero(), |sum, number| sum + number)
+        numbers
+            .reduce(|sum, number| sum + number)
+            .unwrap_or_else(Self::zero)
     }
 }
 
 impl<K: Kind> Product for Number<K> {
     fn product<I: Iterator<Item = Self>>(numbers: I) -> Self {
-        numbers.fold(Self::one(), |product, number| product * number)
+        numbers
+            .reduce(|product, number| product * number)
+            .unwrap_or_else(Self::one)
     }
 }

@@ -55,11 +55,22 @@ impl Enclosure {
     }
 
     pub fn from_rational(q: &Rational, precision: u32) -> Enclosure {
-        Enclosure::from_rounded(if q.is_integer() {
-            Float::with_val_round(precision, q.numer(), Round::Nearest)
-        } else {
-            Float::with_val_round(precision, q, Round::Nearest)
-        })
+        if q.is_integer() {
+            return Enclosure::from_rounded(Float::with_val_round(
+                precision,
+                q.numer(),
+                Round::Nearest,
+            ));
+        }
+        if let Some(divisor) = q.denom().to_u32()
+            && q.numer().significant_bits() <= precision
+        {
+            // The numerator is exact, so that one rounding is all there is.
+            let mut quotient = Float::with_val(precision, q.numer());
+            let rounding = quotient.div_assign_round(divisor, Round::Nearest);
+            return Enclosure::from_rounded((quotient, rounding));
+        }
+        Enclosure::from_rounded(Float::with_val_round(precision, q, Round::Nearest))
     }
 
     pub fn from_constant(constant: &Constant, precision: u32) -> Enclosure {
@@ -192,6 +203,35 @@ impl Enclosure {
         self.absorb(rounding);
     }
 
+    /// What MPFR rounded to nearest of numbers that are within `radius` of what they stand for.
+    #[inline]
+    fn with_error((mid, rounding): (Float, Ordering), radius: Radius) -> Enclosure {
+        let mut result = Enclosure { mid, radius };
+        result.absorb(rounding);
+        result
+    }
+
+    #[inline]
+    pub fn sum(&self, other: &Enclosure) -> Enclosure {
+        let precision = self.precision().max(other.precision());
+        let sum = Float::with_val_round(precision, &self.mid + &other.mid, Round::Nearest);
+        Enclosure::with_error(sum, self.radius.plus(other.radius))
+    }
+
+    #[inline]
+    pub fn difference(&self, other: &Enclosure) -> Enclosure {
+        let precision = self.precision().max(other.precision());
+        let difference = Float::with_val_round(precision, &self.mid - &other.mid, Round::Nearest);
+        Enclosure::with_error(difference, self.radius.plus(other.radius))
+    }
+
+    #[inline]
+    pub fn product(&self, other: &Enclosure) -> Enclosure {
+        let precision = self.precision().max(other.precision());
+        let product = Float::with_val_round(precision, &self.mid * &other.mid, Round::Nearest);
+        Enclosure::with_error(product, self.error_of_product(other))
+    }
+
     #[inline]
     pub fn sub(&mut self, other: &Enclosure) {
         self.extend_to(other.precision());
@@ -200,19 +240,18 @@ impl Enclosure {
         self.absorb(rounding);
     }
 
-    /// The error of the product of x ± r and y ± s is at most |x| s + (|y| + s) r.
     #[inline]
     pub fn mul(&mut self, other: &Enclosure) {
+        self.radius = self.error_of_product(other);
         self.extend_to(other.precision());
-        if !(self.radius.is_zero() && other.radius.is_zero()) {
-            let from_other = Radius::above(&self.mid).times(other.radius);
-            let from_self = Radius::above(&other.mid)
-                .plus(other.radius)
-                .times(self.radius);
-            self.radius = from_other.plus(from_self);
-        }
         let rounding = self.mid.mul_assign_round(&other.mid, Round::Nearest);
         self.absorb(rounding);
+    }
+
+    /// The error of the product of x ± r and y ± s is at most |x| s + (|y| + s) r.
+    #[inline]
+    fn error_of_product(&self, other: &Enclosure) -> Radius {
+        Radius::of_product([&self.mid, &other.mid], [self.radius, other.radius])
     }
 
     /// The divisor is not exactly zero. With q = x/y the error of the quotient of x ± r and y ± s
@@ -225,16 +264,26 @@ impl Enclosure {
             *self = Enclosure::whole_line(self.precision());
             return;
         }
-        let mut quotient = Enclosure {
-            mid: std::mem::replace(&mut self.mid, Float::new(2)),
-            radius: Radius::ZERO,
-        };
-        let rounding = quotient.mid.div_assign_round(&other.mid, Round::Nearest);
-        quotient.absorb(rounding);
-        let from_other = quotient.farthest().times(other.radius);
-        let spread = self.radius.plus(from_other).over(divisor);
-        quotient.radius = quotient.radius.plus(spread);
-        *self = quotient;
+        let radius = std::mem::replace(&mut self.radius, Radius::ZERO);
+        let rounding = self.mid.div_assign_round(&other.mid, Round::Nearest);
+        self.absorb(rounding);
+        let from_other = self.farthest().times(other.radius);
+        let spread = radius.plus(from_other).over(divisor);
+        self.radius = self.radius.plus(spread);
+    }
+
+    /// An integer by a ball that is not exactly zero.
+    pub fn inverse_times(i: i64, divisor: &Enclosure) -> Enclosure {
+        let precision = divisor.precision();
+        let distance = divisor.distance_from_zero();
+        if distance.is_zero() {
+            return Enclosure::whole_line(precision);
+        }
+        let quotient = Float::with_val_round(precision, i / &divisor.mid, Round::Nearest);
+        let mut result = Enclosure::from_rounded(quotient);
+        let spread = result.farthest().times(divisor.radius).over(distance);
+        result.radius = result.radius.plus(spread);
+        result
     }
 
     #[inline]
@@ -243,16 +292,29 @@ impl Enclosure {
     }
 
     pub fn add_integer(&mut self, i: i64) {
+        if i == 0 {
+            return;
+        }
         let rounding = self.mid.add_assign_round(i, Round::Nearest);
         self.absorb(rounding);
     }
 
     pub fn sub_integer(&mut self, i: i64) {
+        if i == 0 {
+            return;
+        }
         let rounding = self.mid.sub_assign_round(i, Round::Nearest);
         self.absorb(rounding);
     }
 
     pub fn mul_integer(&mut self, i: i64) {
+        if i < 0 && i != i64::MIN {
+            self.negate();
+            return self.mul_integer(-i);
+        }
+        if self.shifted_exactly(i, i64::from(i.trailing_zeros())) {
+            return;
+        }
         let rounding = self.mid.mul_assign_round(i, Round::Nearest);
         self.radius = self.radius.times(Radius::above_integer(i));
         self.absorb(rounding);
@@ -260,9 +322,35 @@ impl Enclosure {
 
     /// The divisor is not 0.
     pub fn div_integer(&mut self, i: i64) {
+        if i < 0 && i != i64::MIN {
+            self.negate();
+            return self.div_integer(-i);
+        }
+        if self.shifted_exactly(i, -i64::from(i.trailing_zeros())) {
+            return;
+        }
         let rounding = self.mid.div_assign_round(i, Round::Nearest);
         self.radius = self.radius.over(Radius::below_integer(i));
         self.absorb(rounding);
+    }
+
+    /// Times 2^places if the integer is a power of two and nothing can overflow.
+    #[inline]
+    fn shifted_exactly(&mut self, i: i64, places: i64) -> bool {
+        if !i.unsigned_abs().is_power_of_two() || i < 0 {
+            return false;
+        }
+        if places == 0 {
+            return true;
+        }
+        let safe = self.mid.get_exp().is_none_or(|e| e.abs() < -CLEARLY_NORMAL);
+        if !safe {
+            return false;
+        }
+        // At most 62 places, within the range of exponents: exact.
+        self.mid <<= i32::try_from(places).unwrap_or(0);
+        self.radius = self.radius.scaled(places);
+        true
     }
 
     /// The root of the numbers that are not negative; there is one.

@@ -11,31 +11,105 @@ use crate::number::exact::bits;
 use crate::number::kind::EXCESSIVE_BITS;
 use crate::number::{Elementary, Kind, Real, Truth};
 
+/// One of the four operations, on every pair of contents.
+struct Operation {
+    constants: fn(&mut Constant, &Constant),
+    with_integer: fn(&mut Enclosure, i64),
+    /// An integer on the left.
+    of_integer: fn(i64, &Enclosure) -> Enclosure,
+    enclosures: fn(&mut Enclosure, &Enclosure),
+    /// The same into a new enclosure.
+    fresh: fn(&Enclosure, &Enclosure) -> Enclosure,
+}
+
+const ADD: Operation = Operation {
+    constants: Constant::add,
+    with_integer: Enclosure::add_integer,
+    of_integer: |i, x| {
+        let mut sum = x.clone();
+        sum.add_integer(i);
+        sum
+    },
+    enclosures: Enclosure::add,
+    fresh: Enclosure::sum,
+};
+
+const SUB: Operation = Operation {
+    constants: Constant::sub,
+    with_integer: Enclosure::sub_integer,
+    of_integer: |i, x| {
+        let mut difference = x.clone();
+        difference.sub_integer(i);
+        difference.negate();
+        difference
+    },
+    enclosures: Enclosure::sub,
+    fresh: Enclosure::difference,
+};
+
+const MUL: Operation = Operation {
+    constants: Constant::mul,
+    with_integer: Enclosure::mul_integer,
+    of_integer: |i, x| {
+        let mut product = x.clone();
+        product.mul_integer(i);
+        product
+    },
+    enclosures: Enclosure::mul,
+    fresh: Enclosure::product,
+};
+
+const DIV: Operation = Operation {
+    constants: Constant::div,
+    with_integer: Enclosure::div_integer,
+    of_integer: Enclosure::inverse_times,
+    enclosures: Enclosure::div,
+    fresh: |a, b| {
+        let mut quotient = a.clone();
+        quotient.div(b);
+        quotient
+    },
+};
+
 impl Ball {
-    /// One operation for every pair of contents: on constants, on an enclosure and a machine
-    /// integer, on two enclosures.
-    #[inline]
-    fn combine(
-        &mut self,
-        other: &Ball,
-        constants: fn(&mut Constant, &Constant),
-        with_integer: fn(&mut Enclosure, i64),
-        enclosures: fn(&mut Enclosure, &Enclosure),
-    ) {
+    /// Into `self`.
+    #[inline(always)]
+    fn combine(&mut self, other: &Ball, operation: &Operation) {
         match (&mut self.0, &other.0) {
-            (Content::Enclosure(a), Content::Enclosure(b)) => enclosures(a, b),
-            (Content::Enclosure(a), Content::Constant(Constant::Integer(b))) => with_integer(a, *b),
+            (Content::Enclosure(a), Content::Enclosure(b)) => (operation.enclosures)(a, b),
+            (Content::Enclosure(a), Content::Constant(Constant::Integer(b))) => {
+                (operation.with_integer)(a, *b);
+            }
             (Content::Enclosure(a), Content::Constant(b)) => {
-                enclosures(a, &Enclosure::operand(b, a.precision()));
+                (operation.enclosures)(a, &Enclosure::operand(b, a.precision()));
+            }
+            (Content::Constant(a), Content::Constant(b)) => (operation.constants)(a, b),
+            (Content::Constant(_), Content::Enclosure(_)) => {
+                *self = self.combined(other, operation);
+            }
+            (Content::NoValue, _) => {}
+            (_, Content::NoValue) => *self = Ball::NO_VALUE,
+        }
+    }
+
+    /// Into a new ball.
+    #[inline(always)]
+    fn combined(&self, other: &Ball, operation: &Operation) -> Ball {
+        match (&self.0, &other.0) {
+            (Content::Enclosure(a), Content::Enclosure(b)) => (operation.fresh)(a, b).into(),
+            (Content::Constant(Constant::Integer(a)), Content::Enclosure(b)) => {
+                (operation.of_integer)(*a, b).into()
             }
             (Content::Constant(a), Content::Enclosure(b)) => {
                 let mut result = Enclosure::from_constant(a, b.precision());
-                enclosures(&mut result, b);
-                *self = result.into();
+                (operation.enclosures)(&mut result, b);
+                result.into()
             }
-            (Content::Constant(a), Content::Constant(b)) => constants(a, b),
-            (Content::NoValue, _) => {}
-            (_, Content::NoValue) => *self = Ball::NO_VALUE,
+            _ => {
+                let mut result = self.clone();
+                result.combine(other, operation);
+                result
+            }
         }
     }
 
@@ -101,17 +175,17 @@ impl Kind for Ball {
 
     #[inline]
     fn add(&mut self, other: &Self) {
-        self.combine(other, Constant::add, Enclosure::add_integer, Enclosure::add);
+        self.combine(other, &ADD);
     }
 
     #[inline]
     fn sub(&mut self, other: &Self) {
-        self.combine(other, Constant::sub, Enclosure::sub_integer, Enclosure::sub);
+        self.combine(other, &SUB);
     }
 
     #[inline]
     fn mul(&mut self, other: &Self) {
-        self.combine(other, Constant::mul, Enclosure::mul_integer, Enclosure::mul);
+        self.combine(other, &MUL);
     }
 
     #[inline]
@@ -119,7 +193,31 @@ impl Kind for Ball {
         if other.is_exactly_zero() {
             *self = Ball::NO_VALUE;
         } else {
-            self.combine(other, Constant::div, Enclosure::div_integer, Enclosure::div);
+            self.combine(other, &DIV);
+        }
+    }
+
+    #[inline]
+    fn plus(&self, other: &Self) -> Self {
+        self.combined(other, &ADD)
+    }
+
+    #[inline]
+    fn minus(&self, other: &Self) -> Self {
+        self.combined(other, &SUB)
+    }
+
+    #[inline]
+    fn times(&self, other: &Self) -> Self {
+        self.combined(other, &MUL)
+    }
+
+    #[inline]
+    fn over(&self, other: &Self) -> Self {
+        if other.is_exactly_zero() {
+            Ball::NO_VALUE
+        } else {
+            self.combined(other, &DIV)
         }
     }
 

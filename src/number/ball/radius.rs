@@ -146,6 +146,24 @@ impl Radius {
         )
     }
 
+    /// An upper bound of |x| s + |y| r + r s, the error of the product of x ± r and y ± s.
+    #[inline]
+    pub fn of_product([x, y]: [&Float; 2], [r, s]: [Radius; 2]) -> Radius {
+        if r.is_zero() && s.is_zero() {
+            return Radius::ZERO;
+        }
+        match (Head::above(x), Head::above(y)) {
+            (Some(x), Some(y)) if !r.is_infinite() && !s.is_infinite() => {
+                let terms = [x.times(s), y.times(r), Head::of(r).times(s)];
+                Head::sum(terms)
+            }
+            _ => {
+                let (x, y) = (Radius::above(x), Radius::above(y));
+                x.times(s).plus(y.plus(s).times(r))
+            }
+        }
+    }
+
     /// An upper bound of the quotient; infinite for a divisor 0.
     #[inline]
     pub fn over(self, divisor: Radius) -> Radius {
@@ -280,6 +298,75 @@ impl Radius {
     }
 }
 
+/// At most `mantissa · 2^(exponent − 32)` with a mantissa of 33 bits, not normalized: what sums of
+/// products are made of without a rounding to 32 bits each.
+#[derive(Clone, Copy)]
+struct Head {
+    mantissa: u64,
+    exponent: i64,
+}
+
+impl Head {
+    const ZERO: Head = Head {
+        mantissa: 0,
+        exponent: i64::MIN,
+    };
+
+    #[inline]
+    fn of(radius: Radius) -> Head {
+        Head {
+            mantissa: u64::from(radius.mantissa),
+            exponent: radius.exponent,
+        }
+    }
+
+    /// Not below |x|; `None` unless `x` is finite and not 0.
+    #[inline]
+    fn above(x: &Float) -> Option<Head> {
+        let exponent = i64::from(x.get_exp()?);
+        let significand = x.get_significand()?;
+        let top = significand.as_limbs().last()?;
+        #[expect(clippy::useless_conversion, reason = "limbs may be shorter elsewhere")]
+        let mantissa = u64::from(top >> (limb_t::BITS - 32)) + 1;
+        Some(Head { mantissa, exponent })
+    }
+
+    /// Not below the product with a finite radius; at least 2³⁰ unless zero.
+    #[inline]
+    fn times(self, radius: Radius) -> Head {
+        if radius.is_zero() || self.mantissa == 0 {
+            return Head::ZERO;
+        }
+        // At most 2³² (2³² − 1).
+        let product = self.mantissa * u64::from(radius.mantissa);
+        Head {
+            mantissa: (product >> 32) + 1,
+            exponent: self.exponent + radius.exponent,
+        }
+    }
+
+    /// Not below the sum of three products, one of which is not zero.
+    #[inline]
+    fn sum(terms: [Head; 3]) -> Radius {
+        let [a, b, c] = terms;
+        let exponent = a.exponent.max(b.exponent).max(c.exponent);
+        let at_exponent = |term: Head| match exponent.saturating_sub(term.exponent) {
+            0 => term.mantissa,
+            distance @ 1..40 => (term.mantissa >> distance) + 1,
+            _ => u64::from(term.mantissa != 0),
+        };
+        // More than 2³⁰, less than 2³⁴.
+        let sum = at_exponent(a) + at_exponent(b) + at_exponent(c);
+        if sum < u64::from(TOP_BIT) {
+            Radius::raised(sum << 1, exponent - 1)
+        } else if sum > 1 << 33 {
+            Radius::raised((sum >> 1) + 1, exponent + 1)
+        } else {
+            Radius::raised(sum, exponent)
+        }
+    }
+}
+
 /// The first 32 bits of |x|, as in [`Radius`], and whether there are more bits that are not 0.
 struct Leading {
     exponent: i64,
@@ -361,6 +448,21 @@ mod tests {
                 assert!(exact(a.minus_below(b)) <= difference);
                 assert_eq!(a.cmp(&b), x.cmp(&y));
                 assert_eq!(b.compare_magnitude(&a.to_float()), x.cmp(&y));
+            }
+        }
+    }
+
+    #[test]
+    fn the_error_of_a_product_is_bounded_and_not_far() {
+        let few: Vec<Radius> = samples().into_iter().step_by(5).collect();
+        let mids = [0.0, 1.0, -1.0, 1.999_999, -0.3, 3e20, 5e-300];
+        for (x, y) in mids.iter().flat_map(|x| mids.map(|y| (*x, y))) {
+            let [x, y] = [x, y].map(|mid| Float::with_val(200, mid) / 7u32);
+            let [a, b] = [&x, &y].map(|mid| mid.to_rational().unwrap().abs());
+            for (r, s) in few.iter().flat_map(|r| few.iter().map(|s| (*r, *s))) {
+                let error = Rational::from(&a * exact(s)) + exact(r) * (&b + exact(s));
+                let bound = exact(Radius::of_product([&x, &y], [r, s]));
+                assert!(bound >= error && bound <= Rational::from(&error >> 27) + &error);
             }
         }
     }

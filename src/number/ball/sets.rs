@@ -38,6 +38,17 @@ impl Ball {
         })
     }
 
+    /// The midpoint; of a constant that it is to so many bits. `None` where there is no value or
+    /// nothing is known.
+    pub(in crate::number) fn middle(&self, bits: u32) -> Option<Float> {
+        match &self.0 {
+            Content::NoValue => None,
+            Content::Constant(c) => Some(Enclosure::from_constant(c, sane_precision(bits)).mid),
+            Content::Enclosure(ball) if ball.radius.is_infinite() => None,
+            Content::Enclosure(ball) => Some(ball.mid.clone()),
+        }
+    }
+
     /// An e with |x| < 2^e for all numbers of the ball; `None` where nothing is known.
     pub(in crate::number) fn magnitude(&self) -> Option<i64> {
         match &self.0 {
