@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 
 use rug::Float;
 
-use super::floats;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 use crate::number::{array, count};
@@ -39,15 +38,6 @@ impl Approximations {
         let points: Vec<Point> = zeros.chain(points).collect();
         let settled = vec![false; points.len()];
         Approximations { points, settled }
-    }
-
-    /// The same, first improved in machine floats.
-    pub fn from_floats(p: &IntegerPolynomial, bits: u32) -> Self {
-        let mut approximations = Self::start(p, bits);
-        if let Some(points) = floats::improved(p, &approximations.points) {
-            approximations.points = points;
-        }
-        approximations
     }
 
     /// Iterates with so many bits until no point gets better.

@@ -7,8 +7,7 @@ use rug::{Float, Rational};
 use super::descartes::times_power_of_two;
 use super::factor::{Factor, log2_above, log2_below};
 use super::point::Point;
-use super::polish;
-use super::proof::{FEW_BITS, half, root_within, sharpened};
+use super::proof::{FEW_BITS, half, root_near};
 use crate::number::{Ball, Complex, Number, Real, count};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -155,23 +154,21 @@ impl ComplexRoot {
             im: Float::with_val(known + GUARD_BITS, &disc.im),
         };
         let half = half(bits.checked_add(16)?);
-        let near = polish::complex(self.factor.polynomial(), start, known, half);
+        let near = self.factor.approximate().root(start, known, half);
         if !near.is_finite() {
             return None;
         }
-        let rough = self.factor.in_balls(half + GUARD_BITS);
-        let reach = root_within(&rough, &self.factor.slope_in_balls(FEW_BITS), &near)?;
+        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
+        let slopes = [FEW_BITS, half].map(|bits| self.factor.slope_in_balls(bits));
+        let root = root_near(&whole, &slopes, &near)?;
         let wide = known + GUARD_BITS;
-        let around = |part: &Float| Number(Ball::around(part.clone(), reach).with_precision(wide));
         let ball = |part: &Rational| Number::<Ball>::rounded(part, &wide);
-        let x = around(&near.re) - ball(&disc.re);
-        let y = around(&near.im) - ball(&disc.im);
+        let x = Number(root.re().0.with_precision(wide)) - ball(&disc.re);
+        let y = Number(root.im().0.with_precision(wide)) - ball(&disc.im);
         let inside = (ball(&disc.radius).square() - x.square() - y.square()).is_positive();
         if !inside.is_yes() {
             return None;
         }
-        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
-        let root = sharpened(&whole, &self.factor.slope_in_balls(half), &near, reach);
         let size = i64::from(near.re.get_exp().max(near.im.get_exp())?) - 1;
         let spread = root.re().0.spread()?.max(root.im().0.spread()?);
         let bits = bits.saturating_add(8);

@@ -1,18 +1,13 @@
 //! All roots of whatever polynomial lies in an enclosure.
 
-use rug::{Float, Rational};
-
 use super::Polynomial;
-use super::aberth::Approximations;
-use super::integer::IntegerPolynomial;
-use super::point::Point;
-use super::polish;
-use crate::number::{Ball, Complex, Exact, Number, count};
+use super::floats::proposed;
+use super::polish::Approximate;
+use super::proof::{FEW_BITS, half, root_near};
+use crate::number::{Ball, Complex, Kind, Number};
 
-/// Bits of the first proposals.
-const FIRST_BITS: u32 = 72;
-/// Bits of the derivative, of which only the size matters.
-const SLOPE_BITS: u32 = 64;
+/// Bits that proposals in floats are trusted with before anything is proven.
+const KNOWN_BITS: u32 = 40;
 
 /// Simple roots, all of them, each in an enclosure of its own; no two have a number in common.
 #[derive(Clone, Debug)]
@@ -26,86 +21,52 @@ pub struct EnclosedRoots {
 /// The roots of every polynomial whose coefficients lie in these balls; `None` where they cannot be
 /// told apart with so many bits.
 ///
-/// Around a point z with n |p/p′| ≤ ρ there is a root within ρ. As many disjoint discs as roots hold
-/// one each; where the center is real, so is the root, for its conjugate lies in the same disc.
+/// As many different roots as the degree has are all, each simple; and a real one is no conjugate of
+/// another.
 pub fn enclose(polynomial: &Polynomial<Ball>, bits: u32) -> Option<EnclosedRoots> {
     let degree = polynomial.degree()?;
     if !polynomial.leading()?.is_zero().is_no() {
         return None;
     }
-    let derivative = polynomial.derivative().map(|c| shortened(c, SLOPE_BITS));
-    let middle = middle(polynomial)?;
+    let middles = polynomial.coefficients().iter();
+    let middles: Option<Vec<_>> = middles.map(|c| c.0.middle(bits)).collect();
+    let approximate = Approximate::new(middles?);
+    let derivative = polynomial.derivative();
+    let half = half(bits);
+    let slopes = [FEW_BITS, half].map(|bits| derivative.map(|c| Number(c.0.with_precision(bits))));
     let mut roots = EnclosedRoots {
         real: Vec::new(),
         complex: Vec::new(),
     };
-    let mut discs: Vec<[Rational; 3]> = Vec::with_capacity(degree);
-    let proposals = Approximations::from_floats(&middle, FIRST_BITS).points;
-    for point in proposals.into_iter().filter(|point| point.im >= 0) {
-        let (re, im) = polished(&middle, point, bits)?;
-        let radius = radius(polynomial, &derivative, [&re, &im], bits)?;
-        let ball = |mid: &Rational| Number(Ball::with_radius(mid, &radius, bits));
-        if im.is_zero() {
-            roots.real.push(ball(&re));
-        } else {
-            roots.complex.push(Number::complex(ball(&re), ball(&im)));
-            discs.push([re.clone(), Rational::from(-&im), radius.clone()]);
+    let proposals = proposed(approximate.coefficients())?.into_iter();
+    for point in proposals.filter(|point| point.im >= 0) {
+        let near = approximate.root(point, KNOWN_BITS, half);
+        if !near.is_finite() {
+            return None;
         }
-        discs.push([re, im, radius]);
+        let root = root_near(polynomial, &slopes, &near)?;
+        if near.im.is_zero() {
+            roots.real.push(root.0.re);
+        } else {
+            roots.complex.push(root);
+        }
     }
-    (discs.len() == degree && are_apart(&discs)).then_some(roots)
+    let count = roots.real.len() + 2 * roots.complex.len();
+    (count == degree && roots.are_apart()).then_some(roots)
 }
 
-fn shortened(x: &Number<Ball>, bits: u32) -> Number<Ball> {
-    Number(x.0.with_precision(bits))
-}
-
-/// The polynomial of the midpoints, up to a factor.
-fn middle(polynomial: &Polynomial<Ball>) -> Option<IntegerPolynomial> {
-    let coefficients = polynomial.coefficients().iter();
-    let middles: Option<Vec<Number<Exact>>> = coefficients
-        .map(|c| Some(Number::from(c.0.midpoint_rational()?)))
-        .collect();
-    Some(IntegerPolynomial::from_exact(&Polynomial::new(middles?))?.1)
-}
-
-fn polished(p: &IntegerPolynomial, point: Point, bits: u32) -> Option<(Rational, Rational)> {
-    let known = 40;
-    if point.im.is_zero() {
-        let x: Float = polish::real(p, &point.re, known, bits);
-        return Some((x.to_rational()?, Rational::new()));
+impl EnclosedRoots {
+    /// Whether all are different, and those that are not real above the real axis.
+    fn are_apart(&self) -> bool {
+        all_differ(&self.real)
+            && all_differ(&self.complex)
+            && self.complex.iter().all(|z| z.im().is_positive().is_yes())
     }
-    let z = polish::complex(p, point, known, bits);
-    Some((z.re.to_rational()?, z.im.to_rational()?))
 }
 
-/// An upper bound of n |p/p′|.
-fn radius(
-    polynomial: &Polynomial<Ball>,
-    derivative: &Polynomial<Ball>,
-    [re, im]: [&Rational; 2],
-    bits: u32,
-) -> Option<Rational> {
-    let at = |x: &Rational, bits: u32| Number::<Ball>::rounded(x, &bits);
-    let step = if im.is_zero() {
-        let slope = derivative.evaluate(&at(re, SLOPE_BITS));
-        Number::complex(polynomial.evaluate(&at(re, bits)) / slope, Number::zero())
-    } else {
-        let z = |bits: u32| Number::complex(at(re, bits), at(im, bits));
-        polynomial.evaluate_complex(&z(bits)) / derivative.evaluate_complex(&z(SLOPE_BITS))
-    };
-    let size = |part: &Number<Ball>| Some(part.0.lower()?.abs().max(part.0.upper()?.abs()));
-    let sum = size(step.re())? + size(step.im())?;
-    Some(sum * count::to_u64(polynomial.degree()?))
-}
-
-/// Whether the squares around the discs are disjoint.
-fn are_apart(discs: &[[Rational; 3]]) -> bool {
-    discs.iter().enumerate().all(|(place, [x, y, radius])| {
-        discs.iter().skip(place + 1).all(|[u, v, other]| {
-            let reach = Rational::from(radius + other);
-            let apart = |a: &Rational, b: &Rational| Rational::from(a - b).abs() > reach;
-            apart(x, u) || apart(y, v)
-        })
+fn all_differ<K: Kind>(roots: &[Number<K>]) -> bool {
+    roots.iter().enumerate().all(|(place, root)| {
+        let mut others = roots.iter().skip(place + 1);
+        others.all(|other| root.equals(other).is_no())
     })
 }

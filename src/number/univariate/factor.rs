@@ -6,6 +6,7 @@ use rug::Rational;
 
 use super::Polynomial;
 use super::integer::IntegerPolynomial;
+use super::polish::Approximate;
 use crate::number::{Ball, Complex, Number};
 
 /// Bits with which a sign is tried before it is computed exactly.
@@ -15,6 +16,7 @@ const SIGN_BITS: [u32; 3] = [128, 512, 2048];
 pub(super) struct Factor {
     polynomial: IntegerPolynomial,
     derivative: IntegerPolynomial,
+    approximate: Approximate,
 }
 
 /// What interval Newton finds.
@@ -29,6 +31,7 @@ impl Factor {
     pub fn new(polynomial: IntegerPolynomial) -> Self {
         let derivative = polynomial.derivative();
         Factor {
+            approximate: Approximate::of_integers(&polynomial),
             polynomial,
             derivative,
         }
@@ -36,6 +39,11 @@ impl Factor {
 
     pub fn polynomial(&self) -> &IntegerPolynomial {
         &self.polynomial
+    }
+
+    /// For proposals.
+    pub fn approximate(&self) -> &Approximate {
+        &self.approximate
     }
 
     pub fn degree(&self) -> usize {

@@ -5,9 +5,8 @@ use rug::Float;
 
 use super::Polynomial;
 use super::aberth::starting_points;
-use super::integer::IntegerPolynomial;
 use super::point::Point;
-use crate::number::{Complex as ComplexNumber, Number};
+use crate::number::{Complex as ComplexNumber, Number, count};
 
 /// Rounds after which points that still move are left as they are.
 const ROUNDS: usize = 50;
@@ -36,24 +35,53 @@ pub fn approximate_roots(polynomial: &Polynomial<f64>) -> Option<Vec<Number<Comp
     )
 }
 
-/// Points near the roots, from points somewhere around them. `None` where that leaves the range of
-/// floats.
-pub(super) fn improved(p: &IntegerPolynomial, start: &[Point]) -> Option<Vec<Point>> {
-    let scale = middle_exponent(start);
-    let coefficients = scaled(p, scale);
-    let points = start
+/// Points near all roots of a polynomial with coefficients of any size, the constant one first.
+/// `None` where floats do not find them.
+pub(super) fn proposed(coefficients: &[Float]) -> Option<Vec<Point>> {
+    let parts: Vec<(f64, i64)> = coefficients
         .iter()
-        .map(|z| [&z.re, &z.im].map(|part| Float::with_val(53, part >> scale).to_f64()))
+        .map(|c| {
+            let (mantissa, exponent) = c.to_f64_exp();
+            (mantissa, i64::from(exponent))
+        })
         .collect();
-    let points = iterated(&coefficients, points)?;
-    let bits = start.first()?.re.prec();
-    let back = |part: f64| Float::with_val(bits, part) << scale;
-    let points = points.into_iter().map(onto_axis);
+    let size = |(mantissa, exponent): &(f64, i64)| {
+        let exponent = i32::try_from(*exponent).ok()?;
+        (*mantissa != 0.0).then(|| mantissa.abs().log2() + f64::from(exponent))
+    };
+    let sizes: Vec<Option<f64>> = parts.iter().map(size).collect();
+    let start = starting_points(&sizes);
+    let mean =
+        start.iter().map(|(size, _)| size).sum::<f64>() / f64::from(count::to_u32(start.len()));
+    let scale = Float::with_val(53, mean.round()).to_integer()?.to_i32()?;
+    let scaled = (0i64..).zip(&parts);
+    let scaled = scaled.map(|(power, (c, e))| (*c, e + power * i64::from(scale)));
+    let scaled: Vec<(f64, i64)> = scaled.collect();
+    let largest = scaled
+        .iter()
+        .filter(|(c, _)| *c != 0.0)
+        .map(|(_, e)| *e)
+        .max()?;
+    let shifted = |(c, e): (f64, i64)| {
+        let by = i32::try_from((e - largest).clamp(-2000, 0)).unwrap_or(0);
+        c * 2f64.powi(by)
+    };
+    let scaled: Vec<f64> = scaled.into_iter().map(shifted).collect();
+    let around = start.iter().map(|(size, angle)| {
+        let radius = (size - f64::from(scale)).exp2();
+        [radius * angle.cos(), radius * angle.sin()]
+    });
+    let back = |part: f64| Float::with_val(53, part) << scale;
+    let zeros = sizes.iter().take_while(|size| size.is_none()).count();
+    let zeros = (0..zeros).map(|_| Point::zero(53));
+    let points = iterated(&scaled, around.collect())?
+        .into_iter()
+        .map(onto_axis);
     let points = points.map(|[re, im]| Point {
         re: back(re),
         im: back(im),
     });
-    Some(points.collect())
+    Some(zeros.chain(points).collect())
 }
 
 fn iterated(coefficients: &[f64], mut points: Vec<Complex>) -> Option<Vec<Complex>> {
@@ -71,30 +99,6 @@ fn iterated(coefficients: &[f64], mut points: Vec<Complex>) -> Option<Vec<Comple
     }
     let is_finite = |z: &Complex| z[0].is_finite() && z[1].is_finite();
     (!points.is_empty() && points.iter().all(is_finite)).then_some(points)
-}
-
-/// The exponent of the points' sizes, on average.
-fn middle_exponent(points: &[Point]) -> i32 {
-    let exponents = points.iter().filter_map(|z| z.size().get_exp());
-    let (count, sum) = exponents.fold((0, 0), |(count, sum), e| (count + 1, sum + i64::from(e)));
-    let mean = if count == 0 { 0 } else { sum / count };
-    i32::try_from(mean).unwrap_or(0)
-}
-
-/// The coefficients of p(2^scale x), up to a factor that makes the largest about one.
-fn scaled(p: &IntegerPolynomial, scale: i32) -> Vec<f64> {
-    let terms = (0i64..).zip(p.coefficients());
-    let terms: Vec<(Float, i64)> = terms
-        .map(|(power, c)| (Float::with_val(53, c), power * i64::from(scale)))
-        .collect();
-    let exponent = |(c, twos): &(Float, i64)| c.get_exp().map(|e| i64::from(e) + twos);
-    let largest = terms.iter().filter_map(exponent).max().unwrap_or(0);
-    let shifted = |(c, twos): (Float, i64)| {
-        let by = (twos - largest).clamp(i64::from(i32::MIN) / 2, i64::from(i32::MAX) / 2);
-        // Within the clamp.
-        (c << i32::try_from(by).unwrap_or(0)).to_f64()
-    };
-    terms.into_iter().map(shifted).collect()
 }
 
 /// p/(p′ − p Σ 1/(z − zⱼ)).

@@ -8,6 +8,7 @@ use super::aberth::Approximations;
 use super::complex_root::{ComplexRoot, Disc};
 use super::descartes::{Interval, isolate_real};
 use super::factor::Factor;
+use super::floats::proposed;
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 use super::real_root::RealRoot;
@@ -133,8 +134,8 @@ pub fn real_roots(polynomials: &[Polynomial<Exact>]) -> Result<Vec<(RealRoot, us
 fn isolate_simple(factor: &Factor) -> Result<(Vec<Interval>, Vec<Disc>), RootError> {
     let polynomial = factor.polynomial();
     let bits = first_bits(factor);
-    let approximations = Approximations::from_floats(polynomial, bits);
-    if let Some(found) = proven_at_once(factor, &approximations.points, bits) {
+    let proposals = proposed(factor.approximate().coefficients());
+    if let Some(found) = proposals.and_then(|points| proven_at_once(factor, &points, bits)) {
         return Ok(found);
     }
     let real = isolate_real(polynomial);

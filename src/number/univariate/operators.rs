@@ -3,7 +3,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::Polynomial;
-use crate::number::{Kind, Number};
+use crate::number::Kind;
 
 fn sum<K: Kind>(a: &Polynomial<K>, b: &Polynomial<K>) -> Polynomial<K> {
     let (long, short) = if a.coefficients().len() < b.coefficients().len() {
@@ -26,13 +26,14 @@ fn product<K: Kind>(a: &Polynomial<K>, b: &Polynomial<K>) -> Polynomial<K> {
     let (Some(m), Some(n)) = (a.degree(), b.degree()) else {
         return Polynomial::zero();
     };
-    let mut coefficients = vec![Number::zero(); m + n + 1];
-    for (i, left) in a.coefficients().iter().enumerate() {
-        for (sum, right) in coefficients.iter_mut().skip(i).zip(b.coefficients()) {
-            *sum += left * right;
-        }
-    }
-    Polynomial::new(coefficients)
+    let (a, b) = (a.coefficients(), b.coefficients());
+    let coefficient = |power: usize| {
+        let first = power.saturating_sub(n);
+        let left = a.iter().skip(first).take(power + 1 - first);
+        let right = b.iter().take(power - first + 1).rev();
+        left.zip(right).map(|(left, right)| left * right).sum()
+    };
+    Polynomial::new((0..=m + n).map(coefficient).collect())
 }
 
 impl<K: Kind> Neg for &Polynomial<K> {

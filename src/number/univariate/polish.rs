@@ -1,13 +1,84 @@
 //! Newton's method without proof: from an isolated root to as many bits as wanted. What it finds is
 //! a proposal, proven where it is used.
 
-use rug::{Float, Integer};
+use rug::ops::NegAssign;
+use rug::{Assign, Float};
 
 use super::integer::IntegerPolynomial;
 use super::point::Point;
 
 /// Bits beyond those that are wanted.
 const GUARD_BITS: u32 = 64;
+
+/// A polynomial and its derivative by approximate coefficients, the constant one first.
+#[derive(Debug)]
+pub(super) struct Approximate {
+    value: Vec<Float>,
+    slope: Vec<Float>,
+}
+
+impl Approximate {
+    pub fn new(value: Vec<Float>) -> Self {
+        let powers = (0u32..).zip(&value).skip(1);
+        let slope = powers.map(|(power, c)| Float::with_val(c.prec() + 8, c * power));
+        Approximate {
+            slope: slope.collect(),
+            value,
+        }
+    }
+
+    pub fn of_integers(p: &IntegerPolynomial) -> Self {
+        let exactly = |c| Float::with_val(rug::Integer::significant_bits(c).max(2), c);
+        Self::new(p.coefficients().iter().map(exactly).collect())
+    }
+
+    /// The coefficients of the polynomial itself.
+    pub fn coefficients(&self) -> &[Float] {
+        &self.value
+    }
+
+    /// A root from one that is known to so many bits.
+    pub fn root(&self, near: Point, from: u32, to: u32) -> Point {
+        if near.im.is_zero() {
+            let re = self.real(near.re, from, to);
+            return Point {
+                im: Float::new(2),
+                re,
+            };
+        }
+        self.complex(near, from, to)
+    }
+
+    fn real(&self, mut x: Float, from: u32, to: u32) -> Float {
+        let mut before = from;
+        for bits in ladder(from, to).into_iter().map(|bits| bits + GUARD_BITS) {
+            x.set_prec(bits);
+            let mut value = horner(&self.value, &x);
+            let short = before + GUARD_BITS;
+            let slope = horner(&self.slope, &Float::with_val(short, &x));
+            value.set_prec(short);
+            value /= slope;
+            x -= value;
+            before = bits;
+        }
+        x
+    }
+
+    fn complex(&self, mut z: Point, from: u32, to: u32) -> Point {
+        let mut before = from;
+        for bits in ladder(from, to).into_iter().map(|bits| bits + GUARD_BITS) {
+            z = z.with_bits(bits);
+            let value = complex_horner(&self.value, &z);
+            let short = before + GUARD_BITS;
+            let slope = complex_horner(&self.slope, &z.clone().with_bits(short));
+            let step = value.with_bits(short).times(&slope.inverse(short), short);
+            z.re -= step.re;
+            z.im -= step.im;
+            before = bits;
+        }
+        z
+    }
+}
 
 /// Precisions that double, the last one as wanted.
 fn ladder(from: u32, to: u32) -> Vec<u32> {
@@ -21,62 +92,37 @@ fn ladder(from: u32, to: u32) -> Vec<u32> {
     steps
 }
 
-/// A real root from one that is known to so many bits.
-pub(super) fn real(p: &IntegerPolynomial, near: &Float, from: u32, to: u32) -> Float {
-    let mut x = near.clone();
-    let mut before = from;
-    for bits in ladder(from, to).into_iter().map(|bits| bits + GUARD_BITS) {
-        x.set_prec(bits);
-        let mut value = Float::new(bits);
-        for c in p.coefficients().iter().rev() {
-            value *= &x;
-            value += c;
-        }
-        let short = before + GUARD_BITS;
-        let slope = slope(p, &Float::with_val(short, &x));
-        value.set_prec(short);
-        x -= value / slope;
-        before = bits;
+fn horner(coefficients: &[Float], x: &Float) -> Float {
+    let mut value = Float::new(x.prec());
+    let mut descending = coefficients.iter().rev();
+    if let Some(leading) = descending.next() {
+        value.assign(leading);
     }
-    x
+    for c in descending {
+        value *= x;
+        value += c;
+    }
+    value
 }
 
-fn slope(p: &IntegerPolynomial, x: &Float) -> Float {
-    let mut slope = Float::new(x.prec());
-    for (power, c) in descending(p) {
-        slope *= x;
-        slope += Integer::from(c * power);
+/// Without an allocation in the loop.
+fn complex_horner(coefficients: &[Float], z: &Point) -> Point {
+    let bits = z.re.prec();
+    let mut value = Point::zero(bits);
+    let [mut across, mut along] = [Float::new(bits), Float::new(bits)];
+    let mut descending = coefficients.iter().rev();
+    if let Some(leading) = descending.next() {
+        value.re.assign(leading);
     }
-    slope
-}
-
-fn descending(p: &IntegerPolynomial) -> impl Iterator<Item = (u32, &Integer)> {
-    let last = p.degree();
-    let powers = p.coefficients().iter().enumerate().skip(1).rev();
-    powers.map(move |(power, c)| (u32::try_from(power.min(last)).unwrap_or(u32::MAX), c))
-}
-
-/// A complex root from one that is known to so many bits.
-pub(super) fn complex(p: &IntegerPolynomial, near: Point, from: u32, to: u32) -> Point {
-    let mut z = near;
-    let mut before = from;
-    for bits in ladder(from, to).into_iter().map(|bits| bits + GUARD_BITS) {
-        z = z.with_bits(bits);
-        let mut value = Point::zero(bits);
-        for c in p.coefficients().iter().rev() {
-            value = value.times(&z, bits);
-            value.re += c;
-        }
-        let short = before + GUARD_BITS;
-        let at = z.clone().with_bits(short);
-        let mut slope = Point::zero(short);
-        for (power, c) in descending(p) {
-            slope = slope.times(&at, short);
-            slope.re += Integer::from(c * power);
-        }
-        let step = value.with_bits(short).times(&slope.inverse(short), short);
-        z = z.minus(&step, bits);
-        before = bits;
+    for c in descending {
+        across.assign(&value.re * &z.im);
+        along.assign(&value.im * &z.im);
+        value.im *= &z.re;
+        value.im += &across;
+        value.re *= &z.re;
+        along.neg_assign();
+        value.re += &along;
+        value.re += c;
     }
-    z
+    value
 }

@@ -9,67 +9,53 @@ use crate::number::{Ball, Complex, Number};
 /// Bits of quotients and derivatives, of which only the size matters.
 pub(super) const FEW_BITS: u32 = 64;
 
-/// An e with n |p/p′| < 2^e at z, for every polynomial in the enclosure: within 2^e of z it has a
-/// root.
+/// A derivative in few bits, and in about half of those that the root is wanted with.
+pub(super) type Slopes = [Polynomial<Ball>; 2];
+
+/// An enclosure of a root near z, for every polynomial in the enclosure, real where z is; `None` where
+/// the precision proves none.
 ///
-/// If n |p/p′| < |z − ζ| held for all roots ζ, then |p′/p| = |Σ 1/(z − ζ)| would be less than itself.
-pub(super) fn root_within(
+/// In a box Z around z, p(ζ) = p(z) + (ζ − z) s with a mean s of the derivative in Z, so that the roots
+/// in Z are the fixed points of z − p(z)/s. Where Newton's step from z with the slopes of all numbers in Z
+/// stays in Z, there is one (L. E. J. Brouwer), and it is where the step leads.
+pub(super) fn root_near(
     p: &Polynomial<Ball>,
-    slope: &Polynomial<Ball>,
+    [few, half]: &Slopes,
     z: &Point,
-) -> Option<i64> {
-    let degree = i64::from(p.degree()?.next_power_of_two().trailing_zeros());
+) -> Option<Number<Complex<Ball>>> {
+    let short = z.re.prec();
+    let around = |x: &Float, reach| Number(Ball::around(x.clone(), reach));
     if z.im.is_zero() {
-        let value = p.evaluate(&exactly(&z.re));
-        let slope = slope.evaluate(&few(&exactly(&z.re)));
-        return Some((few(&value) / slope).0.magnitude()? + degree);
+        let x = exactly(&z.re);
+        let value = p.evaluate(&x);
+        let bits = value.0.precision().unwrap_or(short);
+        let value = with_bits(&value, short);
+        let size = (with_bits(&value, FEW_BITS) / few.evaluate(&with_bits(&x, FEW_BITS))).0;
+        let reach = size.magnitude()?.saturating_add(ROOM);
+        let step = value / half.evaluate(&around(&z.re, reach));
+        let stays = step.0.magnitude()? <= reach;
+        return stays.then(|| Number::complex(with_bits(&x, bits) - step, Number::zero()));
     }
     let point = Number::complex(exactly(&z.re), exactly(&z.im));
-    let value = short(&p.evaluate_complex(&point));
-    let step = value / slope.evaluate_complex(&short(&point));
-    let size = step.re().0.magnitude()?.max(step.im().0.magnitude()?);
-    Some(size + 1 + degree)
-}
-
-/// Whether Newton's step from x with the slopes of all numbers within 2^reach of it stays among them:
-/// then they hold exactly one root.
-pub(super) fn holds_one_root(
-    p: &Polynomial<Ball>,
-    slope: &Polynomial<Ball>,
-    x: &Float,
-    reach: i64,
-) -> bool {
-    let around = few(&Number(Ball::around(x.clone(), reach)));
-    let step = few(&p.evaluate(&exactly(x))) / slope.evaluate(&around);
-    step.0.magnitude().is_some_and(|size| size <= reach)
-}
-
-/// A much smaller enclosure of a root within 2^reach of z, by one step of Newton's method:
-/// p(z) = (z − ζ) s with a mean s of the derivative between z and ζ.
-pub(super) fn sharpened(
-    p: &Polynomial<Ball>,
-    slope: &Polynomial<Ball>,
-    z: &Point,
-    reach: i64,
-) -> Number<Complex<Ball>> {
-    let around = |x: &Float| Number(Ball::around(x.clone(), reach));
-    if z.im.is_zero() {
-        let slope = slope.evaluate(&around(&z.re));
-        let value = p.evaluate(&exactly(&z.re));
-        let step = with_bits(&value, z.re.prec()) / slope;
-        let bits = value.0.precision().unwrap_or_default();
-        return Number::complex(with_bits(&exactly(&z.re), bits) - step, Number::zero());
-    }
-    let slope = slope.evaluate_complex(&Number::complex(around(&z.re), around(&z.im)));
-    let point = Number::complex(exactly(&z.re), exactly(&z.im));
-    // Of the short step half of the bits are all that counts.
+    let in_bits = |z: &Number<Complex<Ball>>, bits| {
+        Number::complex(with_bits(z.re(), bits), with_bits(z.im(), bits))
+    };
     let value = p.evaluate_complex(&point);
-    let short = |part: &Number<Ball>| with_bits(part, z.re.prec());
-    let step = Number::complex(short(value.re()), short(value.im())) / slope;
-    let bits = value.re().0.precision().unwrap_or_default();
-    let whole = |x: &Number<Ball>| with_bits(x, bits);
-    Number::complex(whole(point.re()), whole(point.im())) - step
+    let bits = value.re().0.precision().unwrap_or(short);
+    let value = in_bits(&value, short);
+    let size = in_bits(&value, FEW_BITS) / few.evaluate_complex(&in_bits(&point, FEW_BITS));
+    let larger = |z: &Number<Complex<Ball>>| {
+        let [re, im] = [z.re(), z.im()].map(|part| part.0.magnitude());
+        Some(re?.max(im?))
+    };
+    let reach = larger(&size)?.saturating_add(ROOM);
+    let box_around = Number::complex(around(&z.re, reach), around(&z.im, reach));
+    let step = value / half.evaluate_complex(&box_around);
+    (larger(&step)? <= reach).then(|| in_bits(&point, bits) - step)
 }
+
+/// The box is larger than the step by this power of two.
+const ROOM: i64 = 2;
 
 /// Bits of a point from which one step more gives so many.
 pub(super) fn half(bits: u32) -> u32 {
@@ -80,14 +66,6 @@ fn exactly(x: &Float) -> Number<Ball> {
     Number(Ball::exactly(x.clone()))
 }
 
-fn few(x: &Number<Ball>) -> Number<Ball> {
-    with_bits(x, FEW_BITS)
-}
-
 fn with_bits(x: &Number<Ball>, bits: u32) -> Number<Ball> {
     Number(x.0.with_precision(bits))
-}
-
-fn short(z: &Number<Complex<Ball>>) -> Number<Complex<Ball>> {
-    Number::complex(few(z.re()), few(z.im()))
 }

@@ -7,9 +7,9 @@ use rug::{Float, Integer, Rational};
 
 use super::descartes::Interval;
 use super::factor::{Factor, log2_above, log2_below};
+use super::modular;
 use super::point::Point;
-use super::proof::{FEW_BITS, half, holds_one_root, sharpened};
-use super::{modular, polish};
+use super::proof::{FEW_BITS, half, root_near};
 use crate::number::{Ball, Number};
 
 /// Bits that Newton's method works with beyond the accuracy that it aims at.
@@ -140,30 +140,25 @@ impl RealRoot {
         let known = u32::try_from(known).ok()?;
         let start = Float::with_val(known + GUARD_BITS, self.interval.middle());
         let half = half(bits.checked_add(16)?);
-        let near = polish::real(self.factor.polynomial(), &start, known, half);
+        let start = Point {
+            re: start,
+            im: Float::new(2),
+        };
+        let near = self.factor.approximate().root(start, known, half);
         if !near.is_finite() {
             return None;
         }
+        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
+        let slopes = [FEW_BITS, half].map(|bits| self.factor.slope_in_balls(bits));
+        let root = root_near(&whole, &slopes, &near)?;
         let size = magnitude(&self.interval);
-        let reach = size - i64::from(half);
         let wide = known + GUARD_BITS;
-        let around = Number(Ball::around(near.clone(), reach).with_precision(wide));
+        let rough = Number(root.re().0.with_precision(wide));
         let [low, high] = [&self.interval.low, &self.interval.high]
-            .map(|end| &around - Number::<Ball>::rounded(end, &wide));
+            .map(|end| &rough - Number::<Ball>::rounded(end, &wide));
         if !low.is_positive().is_yes() || !(-high).is_positive().is_yes() {
             return None;
         }
-        let rough = self.factor.in_balls(half + GUARD_BITS);
-        let slope = self.factor.slope_in_balls(FEW_BITS);
-        if !holds_one_root(&rough, &slope, &near, reach) {
-            return None;
-        }
-        let point = Point {
-            re: near,
-            im: Float::new(2),
-        };
-        let whole = self.factor.in_balls(bits.checked_add(16 + GUARD_BITS)?);
-        let root = sharpened(&whole, &self.factor.slope_in_balls(half), &point, reach);
         let ball = root.0.re.0;
         let is_small = ball.spread()? < size - i64::from(bits);
         is_small.then(|| ball.with_precision(bits.saturating_add(8)))
