@@ -10,10 +10,19 @@ use super::{Kind, Number, Truth};
 /// A basis of the solutions of homogeneous equations, each a row of coefficients. `None` where it
 /// cannot be told which entries vanish.
 pub fn kernel<K: Kind>(rows: &[Vec<Number<K>>], unknowns: usize) -> Option<Vec<Vec<Number<K>>>> {
-    let mut rows = rows.to_vec();
+    let order: Vec<usize> = (0..unknowns).collect();
+    kernel_in_order(rows.to_vec(), &order)
+}
+
+/// The same, solved for the unknowns that come first in an order of them all.
+pub fn kernel_in_order<K: Kind>(
+    mut rows: Vec<Vec<Number<K>>>,
+    order: &[usize],
+) -> Option<Vec<Vec<Number<K>>>> {
+    let unknowns = order.len();
     let mut pivots: Vec<usize> = Vec::new();
     // Columns in any order: with enclosures the first entry that is surely not zero will do.
-    while let Some((row, column)) = pivot(rows.get(pivots.len()..)?, unknowns, &pivots)? {
+    while let Some((row, column)) = pivot(rows.get(pivots.len()..)?, order, &pivots)? {
         let place = pivots.len();
         rows.swap(place, place + row);
         eliminate(&mut rows, place, column)?;
@@ -55,9 +64,14 @@ pub fn integer_kernel(rows: &[Vec<Integer>], unknowns: usize) -> Vec<Vec<Integer
                 continue;
             };
             for (entry, term) in entries.iter_mut().zip(&row) {
+                if entry.is_zero() && term.is_zero() {
+                    continue;
+                }
                 *entry *= &pivot;
                 *entry -= &factor * term;
-                entry.div_exact_mut(&last);
+                if last != 1 {
+                    entry.div_exact_mut(&last);
+                }
             }
         }
         pivots.push(column);
@@ -92,12 +106,12 @@ fn first_entry(rows: &[Vec<Integer>], from: usize, unknowns: usize) -> Option<(u
 /// told.
 fn pivot<K: Kind>(
     rows: &[Vec<Number<K>>],
-    unknowns: usize,
+    order: &[usize],
     taken: &[usize],
 ) -> Option<Option<(usize, usize)>> {
     let mut all_zero = true;
     for (place, row) in rows.iter().enumerate() {
-        for column in (0..unknowns).filter(|column| !taken.contains(column)) {
+        for &column in order.iter().filter(|column| !taken.contains(column)) {
             match row.get(column)?.is_zero() {
                 Truth::No => return Some(Some((place, column))),
                 Truth::Unknown => all_zero = false,
@@ -110,23 +124,30 @@ fn pivot<K: Kind>(
 
 /// Makes the pivot one and the rest of its column zero.
 fn eliminate<K: Kind>(rows: &mut [Vec<Number<K>>], place: usize, column: usize) -> Option<()> {
-    let row = rows.get(place)?.clone();
+    let mut row = std::mem::take(rows.get_mut(place)?);
     let inverse = row.get(column)?.inverse();
-    let row: Vec<Number<K>> = row.iter().map(|entry| entry * &inverse).collect();
-    for (other, entries) in rows.iter_mut().enumerate() {
-        if other == place {
-            entries.clone_from(&row);
-            continue;
-        }
-        let factor = entries.get(column)?.clone();
-        for (at, (entry, term)) in entries.iter_mut().zip(&row).enumerate() {
-            *entry = if at == column {
-                Number::zero()
-            } else {
-                &*entry - &factor * term
-            };
+    for entry in &mut row {
+        // Zeros, as in the columns of earlier pivots, stay what they are.
+        if !entry.is_zero().is_yes() {
+            *entry *= &inverse;
         }
     }
+    *row.get_mut(column)? = Number::one();
+    for (other, entries) in rows.iter_mut().enumerate() {
+        if other == place {
+            continue;
+        }
+        let factor = std::mem::replace(entries.get_mut(column)?, Number::zero());
+        if factor.is_zero().is_yes() {
+            continue;
+        }
+        for (at, (entry, term)) in entries.iter_mut().zip(&row).enumerate() {
+            if at != column && !term.is_zero().is_yes() {
+                *entry -= &factor * term;
+            }
+        }
+    }
+    *rows.get_mut(place)? = row;
     Some(())
 }
 

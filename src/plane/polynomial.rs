@@ -1,7 +1,7 @@
 //! Polynomials in the coordinates x and y.
 
 use super::circular_cubic::Cubic;
-use crate::number::{Kind, Number, Truth, count};
+use crate::number::{Kind, Number, Truth, array, count};
 
 /// Σ cⱼₖ xʲ yᵏ, j + k at most the order.
 #[derive(Clone, Debug)]
@@ -18,7 +18,23 @@ fn start(order: usize, part: usize) -> usize {
 }
 
 /// The determinant of three rows.
-pub fn determinant<K: Kind>([p, q, r]: &[[Polynomial<K>; 3]; 3]) -> Polynomial<K> {
+pub fn determinant<K: Kind>(rows: &[[Polynomial<K>; 3]; 3]) -> Polynomial<K> {
+    // Without fractions, where they are slow: each row times its denominator.
+    let denominators = rows.each_ref().map(|row| {
+        let coefficients = row.iter().flat_map(|polynomial| &polynomial.coefficients);
+        K::common_denominator(coefficients.map(|c| &c.0)).map(Number)
+    });
+    if denominators.iter().all(Option::is_none) {
+        return expanded(rows);
+    }
+    let factors = denominators.map(|denominator| denominator.unwrap_or_else(Number::one));
+    let whole = array::pairs(rows, &factors);
+    let whole = whole.map(|(row, factor)| row.each_ref().map(|entry| entry.scaled(factor)));
+    let product: Number<K> = factors.into_iter().product();
+    expanded(&whole).scaled(&product.inverse())
+}
+
+fn expanded<K: Kind>([p, q, r]: &[[Polynomial<K>; 3]; 3]) -> Polynomial<K> {
     let ([q0, q1, q2], [r0, r1, r2]) = (q, r);
     let minors = [(q1, r2, q2, r1), (q2, r0, q0, r2), (q0, r1, q1, r0)];
     let [m0, m1, m2] = minors.map(|(a, b, c, d)| a.times(b).minus(&c.times(d)));

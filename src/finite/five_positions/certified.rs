@@ -1,7 +1,7 @@
 //! All pairs of rational positions to so many bits, by whatever is quickest.
 
-use super::conics::{Isolated, Pair, Pairs, Place, pairs};
-use super::enclosed;
+use super::conics::{Isolated, Pair, Pairs, Place, first_meets, pairs};
+use super::enclosed::{self, Enclosed};
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
@@ -23,9 +23,13 @@ pub struct Certified {
 /// The pairs of five positions; `None` for families. Where many bits are asked for, or the enclosures
 /// cannot tell the pairs apart or from infinity, by exact elimination.
 pub fn certified(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<Certified> {
-    if bits <= MOST_ENCLOSED_BITS
-        && let Some(found) = in_enclosures(positions, bits)
-    {
+    let working = bits.checked_add(LOST_BITS)?;
+    let found = if bits <= MOST_ENCLOSED_BITS {
+        in_enclosures(positions, working)
+    } else {
+        by_exact_conics(positions, working)
+    };
+    if let Some(found) = found.and_then(|found| sharp(found, bits)) {
         return Some(found);
     }
     match pairs(positions)? {
@@ -41,10 +45,32 @@ fn exact(isolated: &Isolated, bits: u32) -> Certified {
     }
 }
 
-/// Four different finite pairs, to so many bits.
-fn in_enclosures(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<Certified> {
-    let working = bits + LOST_BITS;
-    let found = enclosed::pairs(&rounded(positions, working)?, working)?;
+/// Four different pairs, from enclosures on.
+fn in_enclosures(positions: &[Displacement<Exact>; 5], working: u32) -> Option<Enclosed> {
+    enclosed::pairs(&rounded(positions, working)?, working)
+}
+
+/// The same from the exact resultant on: with many bits its coefficients are short.
+fn by_exact_conics(positions: &[Displacement<Exact>; 5], working: u32) -> Option<Enclosed> {
+    // What a coefficient needs, and one or zero as such.
+    let short = |x: &Number<Exact>| {
+        let q = x.0.rational().cloned().unwrap_or_default();
+        let bits = q.numer().significant_bits();
+        if bits < 64 || !q.is_integer() {
+            Number::from(q)
+        } else {
+            Number::rounded(&q, &bits.min(working))
+        }
+    };
+    let whole = |x: &Number<Exact>| {
+        let q = x.0.rational().cloned().unwrap_or_default();
+        Number::rounded(&q, &working)
+    };
+    enclosed::solved(&first_meets(positions)?.map(short, whole), working)
+}
+
+/// If they are finite and known to so many bits.
+fn sharp(found: Enclosed, bits: u32) -> Option<Certified> {
     let is_sharp = |x: &Number<Ball>| x.0.accuracy_bits() >= Some(i64::from(bits));
     let real = found.real.into_iter().map(|coordinates| {
         let sharp = coordinates[0].is_zero().is_no() && coordinates.iter().all(is_sharp);

@@ -2,7 +2,7 @@
 
 use super::conditions::{Coordinates, products};
 use crate::number::univariate::Polynomial;
-use crate::number::{Kind, Number};
+use crate::number::{Complex, Kind, Number};
 
 /// Coordinates e₀ + s e₁ + n e₂ of the solutions: on each line of one s both conics are quadratic
 /// equations in n.
@@ -28,6 +28,25 @@ pub struct Meets<K> {
 pub struct MeetOnLine<K> {
     basis: [Coordinates<K>; 3],
     weights: [Polynomial<K>; 3],
+}
+
+impl<K: Kind> Meets<K> {
+    /// The same in another kind, the resultant converted by itself.
+    pub fn map<L: Kind>(
+        &self,
+        convert: impl Fn(&Number<K>) -> Number<L>,
+        convert_resultant: impl Fn(&Number<K>) -> Number<L>,
+    ) -> Meets<L> {
+        let MeetOnLine { basis, weights } = &self.coordinates;
+        Meets {
+            resultant: self.resultant.map(convert_resultant),
+            second: self.second.map(&convert),
+            coordinates: MeetOnLine {
+                basis: basis.each_ref().map(|axis| axis.each_ref().map(&convert)),
+                weights: weights.each_ref().map(|weight| weight.map(&convert)),
+            },
+        }
+    }
 }
 
 impl<K: Kind> MeetOnLine<K> {
@@ -64,25 +83,48 @@ impl<K: Kind> MeetOnLine<K> {
     #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
     pub fn polynomial(&self, place: usize) -> Polynomial<K> {
         let terms = self.weights.iter().zip(&self.basis);
+        let terms = terms.filter(|(_, axis)| !axis[place].is_zero().is_yes());
         let terms = terms.map(|(weight, axis)| weight.scaled(&axis[place]));
         terms.fold(Polynomial::zero(), |sum, term| sum + term)
     }
 
     /// In one s of any kind.
-    #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
     pub fn at<L: Kind>(
         &self,
         s: &Number<L>,
         convert: impl Fn(&Number<K>) -> Number<L>,
     ) -> Coordinates<L> {
-        let weights = self
-            .weights
-            .each_ref()
-            .map(|weight| weight.map(&convert).evaluate(s));
-        std::array::from_fn(|i| {
-            let terms = weights.iter().zip(&self.basis);
-            terms.map(|(weight, axis)| weight * convert(&axis[i])).sum()
+        let weights = (self.weights.each_ref()).map(|weight| weight.map(&convert).evaluate(s));
+        self.combined(&convert, |axis| {
+            let terms = weights.iter().zip(axis);
+            let terms = terms.filter(|(_, axis)| !axis.is_zero().is_yes());
+            terms.map(|(weight, axis)| weight * axis).sum()
         })
+    }
+
+    /// In one s that is not real.
+    pub fn at_complex<L: Kind>(
+        &self,
+        s: &Number<Complex<L>>,
+        convert: impl Fn(&Number<K>) -> Number<L>,
+    ) -> Coordinates<Complex<L>> {
+        let weights =
+            (self.weights.each_ref()).map(|weight| weight.map(&convert).evaluate_complex(s));
+        self.combined(&convert, |axis| {
+            let terms = weights.iter().zip(axis);
+            let terms = terms.filter(|(_, axis)| !axis.is_zero().is_yes());
+            terms.map(|(weight, axis)| weight.scaled(axis)).sum()
+        })
+    }
+
+    /// Each coordinate from those of the basis.
+    #[expect(clippy::indexing_slicing, reason = "there are seven coordinates")]
+    fn combined<L, M>(
+        &self,
+        convert: impl Fn(&Number<K>) -> Number<L>,
+        combine: impl Fn(&[Number<L>; 3]) -> Number<M>,
+    ) -> Coordinates<M> {
+        std::array::from_fn(|i| combine(&self.basis.each_ref().map(|axis| convert(&axis[i]))))
     }
 }
 

@@ -50,9 +50,17 @@ pub fn products<K: Kind>(left: &Coordinates<K>, right: &Coordinates<K>) -> [Numb
     let [h, x, y, cx, cy, p, q] = left;
     let [h1, x1, y1, cx1, cy1, p1, q1] = right;
     [
-        h * p1 + h1 * p - x * cx1 - x1 * cx - y * cy1 - y1 * cy,
-        h * q1 + h1 * q - y * cx1 - y1 * cx + x * cy1 + x1 * cy,
+        mixed([(h, p1), (h1, p)]) - mixed([(x, cx1), (x1, cx), (y, cy1), (y1, cy)]),
+        mixed([(h, q1), (h1, q), (x, cy1), (x1, cy)]) - mixed([(y, cx1), (y1, cx)]),
     ]
+}
+
+/// A sum of products, most of which vanish in coordinates that were solved for: they are not computed.
+fn mixed<K: Kind, const N: usize>(factors: [(&Number<K>, &Number<K>); N]) -> Number<K> {
+    let vanishes = |x: &Number<K>| x.is_zero().is_yes();
+    let factors = factors.into_iter();
+    let terms = factors.filter(|(a, b)| !vanishes(a) && !vanishes(b));
+    terms.map(|(a, b)| a * b).sum()
 }
 
 /// The coordinates of a circlepoint in the moving plane and its center in the fixed one.
@@ -73,8 +81,7 @@ pub fn of_slide<K: Kind>(circlepoint: &Point<K>, towards: &Point<K>) -> Coordina
 /// A circlepoint in the moving plane and its center in the fixed one, of coordinates with h ≠ 0.
 pub fn finite_pair<K: Kind>(coordinates: &Coordinates<K>) -> [Point<K>; 2] {
     let [h, x, y, cx, cy, ..] = coordinates;
-    [
-        Number::complex(x / h, y / h),
-        Number::complex(cx / h, cy / h),
-    ]
+    let inverse = h.inverse();
+    let [x, y, cx, cy] = [x, y, cx, cy].map(|part| part * &inverse);
+    [Number::complex(x, y), Number::complex(cx, cy)]
 }

@@ -76,11 +76,7 @@ pub fn pairs(positions: &[Displacement<Exact>; 5]) -> Option<Pairs> {
 /// The pairs that fulfil four conditions, each a row of exact coefficients: those of five positions, or
 /// what becomes of them where positions fall together.
 pub fn pairs_of(conditions: &[Vec<Number<Exact>>]) -> Option<Pairs> {
-    let rows: Option<Vec<_>> = conditions.iter().map(|row| integral(row)).collect();
-    let basis: Vec<Coordinates<Exact>> = integer_kernel(&rows?, 7)
-        .into_iter()
-        .map(numbers)
-        .collect::<Option<_>>()?;
+    let basis = basis(conditions)?;
     let Ok(basis) = <[_; 3]>::try_from(basis) else {
         // In a space of four or more coordinates two quadrics have no meet that is alone.
         return Some(Pairs::Families(None));
@@ -104,6 +100,20 @@ pub fn pairs_of(conditions: &[Vec<Number<Exact>>]) -> Option<Pairs> {
         multiplicity: 1,
     });
     Some(Pairs::Families(beside.map(Box::new)))
+}
+
+/// The meets of both conics in the first chart; `None` where that is none of five positions with four
+/// pairs.
+pub fn first_meets(positions: &[Displacement<Exact>; 5]) -> Option<Meets<Exact>> {
+    let basis: [_; 3] = basis(&rows(positions))?.try_into().ok()?;
+    Some(Chart::new(&basis, 0)?.meets())
+}
+
+/// A basis of the solutions, by integers.
+fn basis(conditions: &[Vec<Number<Exact>>]) -> Option<Vec<Coordinates<Exact>>> {
+    let rows: Option<Vec<_>> = conditions.iter().map(|row| integral(row)).collect();
+    let kernel = integer_kernel(&rows?, 7).into_iter();
+    kernel.map(numbers).collect()
 }
 
 /// One pair that counts four times, where both conics have their double point.
@@ -335,7 +345,7 @@ impl Isolated {
             .map(|(root, place)| {
                 let s = root.enclosure(bits);
                 Pair {
-                    coordinates: self.meet.at(&s, |x| ball(x).into()),
+                    coordinates: self.meet.at_complex(&s, ball),
                     place,
                     multiplicity: root.multiplicity(),
                 }

@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Meets};
 use super::conditions::{Coordinates, rows};
-use crate::number::linear::kernel;
+use crate::number::linear::kernel_in_order;
 use crate::number::univariate::enclose;
 use crate::number::{Ball, Complex, Number};
 use crate::plane::displacement::Displacement;
@@ -21,12 +21,19 @@ pub struct Enclosed {
 /// The pairs of whatever positions lie in the enclosures; `None` where these are too wide to tell
 /// four different pairs apart.
 pub fn pairs(positions: &[Displacement<Ball>; 5], bits: u32) -> Option<Enclosed> {
-    pairs_of(&rows(positions), bits)
+    solved_of(rows(positions), bits)
 }
 
 /// The pairs that fulfil four conditions, each a row of coefficients in enclosures.
 pub fn pairs_of(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Enclosed> {
-    let basis = kernel(conditions, 7)?;
+    solved_of(conditions.to_vec(), bits)
+}
+
+/// Solved for the center and the products, so that most of a basis is zeros and ones.
+const ORDER: [usize; 7] = [6, 5, 4, 3, 2, 1, 0];
+
+fn solved_of(conditions: Vec<Vec<Number<Ball>>>, bits: u32) -> Option<Enclosed> {
+    let basis = kernel_in_order(conditions, &ORDER)?;
     let basis: [Coordinates<Ball>; 3] = basis
         .into_iter()
         .map(|vector| vector.try_into().ok())
@@ -39,7 +46,8 @@ pub fn pairs_of(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Enclosed>
         .find_map(|found| found)
 }
 
-fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
+/// The pairs of a chart; `None` where it cannot tell four different ones apart.
+pub fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
     let Meets {
         resultant,
         second,
@@ -55,7 +63,7 @@ fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
         .all(|s| second.evaluate(s).is_zero().is_no())
         && (roots.complex.iter()).all(|s| second.evaluate_complex(s).is_zero().is_no());
     let real = roots.real.iter().map(|s| coordinates.at(s, Number::clone));
-    let complex = (roots.complex.iter()).map(|s| coordinates.at(s, |x| x.clone().into()));
+    let complex = (roots.complex.iter()).map(|s| coordinates.at_complex(s, Number::clone));
     differ.then(|| Enclosed {
         real: real.collect(),
         complex: complex.collect(),

@@ -30,7 +30,7 @@ pub fn pairs(positions: &[Displacement<f64>; 5]) -> Option<Vec<Pair>> {
         let count = roots.iter().filter(real).count() + 2 * roots.iter().filter(above).count();
         let roots = roots.iter().filter(|s| s.im().0 >= 0.0);
         let pairs = roots.map(|s| {
-            let coordinates = meets.coordinates.at(s, |x| x.clone().into());
+            let coordinates = meets.coordinates.at_complex(s, Number::clone);
             Some(unit.back(improved(&complex, &coordinates)?))
         });
         let pairs: Vec<Pair> = pairs.collect::<Option<_>>()?;
