@@ -51,6 +51,12 @@ pub(super) fn proposed(coefficients: &[Float]) -> Option<Vec<Point>> {
     };
     let sizes: Vec<Option<f64>> = parts.iter().map(size).collect();
     let start = starting_points(&sizes);
+    // The polygon starts at the first coefficient that is not zero: below it are roots 0.
+    let lowest = sizes.iter().take_while(|size| size.is_none()).count();
+    let zeros = (0..lowest).map(|_| Point::zero(53));
+    if start.is_empty() {
+        return Some(zeros.collect());
+    }
     let mean =
         start.iter().map(|(size, _)| size).sum::<f64>() / f64::from(count::to_u32(start.len()));
     let scale = Float::with_val(53, mean.round()).to_integer()?.to_i32()?;
@@ -66,14 +72,12 @@ pub(super) fn proposed(coefficients: &[Float]) -> Option<Vec<Point>> {
         let by = i32::try_from((e - largest).clamp(-2000, 0)).unwrap_or(0);
         c * 2f64.powi(by)
     };
-    let scaled: Vec<f64> = scaled.into_iter().map(shifted).collect();
+    let scaled: Vec<f64> = scaled.into_iter().skip(lowest).map(shifted).collect();
     let around = start.iter().map(|(size, angle)| {
         let radius = (size - f64::from(scale)).exp2();
         [radius * angle.cos(), radius * angle.sin()]
     });
     let back = |part: f64| Float::with_val(53, part) << scale;
-    let zeros = sizes.iter().take_while(|size| size.is_none()).count();
-    let zeros = (0..zeros).map(|_| Point::zero(53));
     let points = iterated(&scaled, around.collect())?
         .into_iter()
         .map(onto_axis);
