@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::error::JudgeError;
-use super::formula::{FIRST_INSTANCES, MANY_INSTANCES, proved_for_all};
+use super::formula::{FIRST_INSTANCES, Finding, MANY_INSTANCES, decide, proved_for_all};
 use super::stage::Stage;
 use crate::formula::{Failure, Formula, Mutant, evaluate, mutants};
 
@@ -18,7 +18,7 @@ pub struct MutantCounts {
     pub equivalent: usize,
     /// Neither.
     pub undecided: usize,
-    /// What was changed in those that are undecided.
+    /// What was changed in those that are undecided, and why that is open.
     #[serde(skip)]
     pub survivors: Vec<String>,
 }
@@ -46,9 +46,9 @@ pub fn try_mutants(formula: &Formula, stage: &mut Stage) -> Result<MutantCounts,
             Fate::Equivalent => counts.equivalent += 1,
             Fate::Undecided => {
                 counts.undecided += 1;
-                counts
-                    .survivors
-                    .push(format!("{}: {}", mutant.what, mutant.formula));
+                let why = reason(stage);
+                let survivor = format!("{}: {} ({why})", mutant.what, mutant.formula);
+                counts.survivors.push(survivor);
             }
         }
         counts.tried += 1;
@@ -56,8 +56,26 @@ pub fn try_mutants(formula: &Formula, stage: &mut Stage) -> Result<MutantCounts,
     Ok(counts)
 }
 
-/// A few instances first; free symbols, then more instances, only for those that survive.
+/// Why a mutant that holds in all instances is not proved to hold.
+fn reason(stage: &Stage) -> String {
+    if stage.example().is_some() {
+        return "the enclosures of the example leave it open".to_owned();
+    }
+    match stage.symbolic() {
+        Err(unbuilt) => format!("it holds in {MANY_INSTANCES} instances; no free symbols: {unbuilt}"),
+        Ok(_) => format!(
+            "it holds in {MANY_INSTANCES} instances; with free symbols an order, a condition or a \
+             root stays open"
+        ),
+    }
+}
+
+/// The numbers of an example are all that the line speaks of. Elsewhere a few instances first; free
+/// symbols, then more instances, only for those that survive.
 fn fate(mutant: &Mutant, stage: &mut Stage) -> Result<Fate, JudgeError> {
+    if stage.example().is_some() {
+        return fate_in_example(mutant, stage);
+    }
     match rejected(mutant, stage, FIRST_INSTANCES) {
         Ok(true) => return Ok(Fate::Rejected),
         Ok(false) => {}
@@ -72,6 +90,17 @@ fn fate(mutant: &Mutant, stage: &mut Stage) -> Result<Fate, JudgeError> {
         return Ok(Fate::Rejected);
     }
     Ok(Fate::Undecided)
+}
+
+fn fate_in_example(mutant: &Mutant, stage: &mut Stage) -> Result<Fate, JudgeError> {
+    match decide(&mutant.formula, stage) {
+        Ok(Finding::Fails { .. }) => Ok(Fate::Rejected),
+        Ok(Finding::Holds { .. }) => Ok(Fate::Equivalent),
+        Ok(Finding::Undecided(_)) if rejected(mutant, stage, 1)? => Ok(Fate::Rejected),
+        Ok(Finding::Undecided(_)) => Ok(Fate::Undecided),
+        Err(JudgeError::Formula { .. }) => Ok(Fate::NoFormula),
+        Err(other) => Err(other),
+    }
 }
 
 /// Whether the mutant fails in some configuration, or has a value in none.
