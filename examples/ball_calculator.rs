@@ -13,7 +13,7 @@
 
 use std::io::{self, BufRead, BufWriter, Write};
 
-use burmester::number::{Ball, Elementary, Kind};
+use burmester::number::{Ball, Elementary, Kind, Real};
 use rug::{Integer, Rational};
 
 /// Answers every line of the standard input.

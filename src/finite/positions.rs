@@ -1,6 +1,7 @@
 //! Several positions of the moving plane, and their poles.
 
-use crate::number::Kind;
+use crate::number::{Kind, Number};
+use crate::plane::Point;
 use crate::plane::displacement::{Displacement, HalfTurn};
 use crate::plane::projective::ProjectivePoint;
 
@@ -82,6 +83,17 @@ impl<K: Kind> Positions<K> {
         let place = pairs(self.displacements.len()).position(|pair| pair == (i, j))?;
         let (first, second) = (self.displacements.get(i)?, self.displacements.get(j)?);
         Some(first.pole_by_half_turn(second, self.half_turns.get(place)?))
+    }
+
+    /// The turn e^{iδ} from position i to a later one j, counted from 0: exactly 1 where it is known
+    /// that nothing turns; `None` where there are no two such positions.
+    pub fn turn(&self, i: usize, j: usize) -> Option<Point<K>> {
+        let place = pairs(self.displacements.len()).position(|pair| pair == (i, j))?;
+        let [from, to] = [i, j].map(|k| self.displacements.get(k));
+        if self.half_turns.get(place)?.sin.is_zero().is_yes() {
+            return Some(Number::one());
+        }
+        Some(&to?.rotation * from?.rotation.conj())
     }
 
     /// All places i < j, in order.

@@ -62,7 +62,9 @@ fn reason(stage: &Stage) -> String {
         return "the enclosures of the example leave it open".to_owned();
     }
     match stage.symbolic() {
-        Err(unbuilt) => format!("it holds in {MANY_INSTANCES} instances; no free symbols: {unbuilt}"),
+        Err(unbuilt) => {
+            format!("it holds in {MANY_INSTANCES} instances; no free symbols: {unbuilt}")
+        }
         Ok(_) => format!(
             "it holds in {MANY_INSTANCES} instances; with free symbols an order, a condition or a \
              root stays open"

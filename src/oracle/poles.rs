@@ -30,9 +30,7 @@ impl Task for Poles {
         let mut answer = both(positions, attempt);
         let mut turns = Map::new();
         for (i, j) in positions.pairs() {
-            let displacements = positions.displacements();
-            if let (Some(from), Some(to)) = (displacements.get(i), displacements.get(j)) {
-                let turn = &to.rotation * from.rotation.conj();
+            if let Some(turn) = positions.turn(i, j) {
                 turns.insert(label(i, j), attempt.turn("turns", &turn));
             }
         }

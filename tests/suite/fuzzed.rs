@@ -9,10 +9,11 @@ use std::path::PathBuf;
 
 use crate::fuzz;
 use crate::support::seed::{generator, rounds};
+use burmester::oracle::PROBLEMS;
 use rand::RngCore;
 
 /// The corpus and what was once a crash, then random bytes up to a length.
-fn run(target: &str, subject: fn(&[u8]), cases: usize, longest: u32) {
+fn run(target: &str, subject: impl Fn(&[u8]), cases: usize, longest: u32) {
     let folder = PathBuf::from("fuzz/corpus").join(target);
     let mut files: Vec<PathBuf> = fs::read_dir(folder)
         .unwrap()
@@ -52,7 +53,16 @@ fn damaged_papers() {
     run("damaged_paper", fuzz::damaged_paper, 15, 40);
 }
 
+/// All kinds but `deviation`, of which a strange design takes up to a minute; `fuzz/` draws it too.
 #[test]
-fn problems_of_every_kind() {
-    run("problem", fuzz::problem, 300, 80);
+fn problems() {
+    let quick = |bytes: &[u8]| {
+        let kind = bytes
+            .first()
+            .map(|byte| usize::from(*byte) % PROBLEMS.len());
+        if kind.and_then(|kind| PROBLEMS.get(kind)) != Some(&"deviation") {
+            fuzz::problem(bytes);
+        }
+    };
+    run("problem", quick, 80, 80);
 }

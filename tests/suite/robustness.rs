@@ -53,7 +53,10 @@ fn a_hundred_megabytes_are_refused() {
     let note = "1,".repeat(50_000_000);
     let text = [r#"{"problem": "hart", "note": ["#, &note, "1]}"];
     assert_refused(&solve_file(&text, "solve"), "longer than 16 MiB");
-    assert_refused(&solve_file(&text, "solve --lines"), "problem.json:1: longer");
+    assert_refused(
+        &solve_file(&text, "solve --lines"),
+        "problem.json:1: longer",
+    );
 }
 
 #[test]
@@ -67,8 +70,15 @@ fn numbers_at_the_limit_of_digits() {
     };
     let start = Instant::now();
     let limit = burmester::number::text::MOST_DIGITS;
-    assert!(solve_file(&[&problem(limit)], "solve --digits 50").status.success());
-    assert_refused(&solve_file(&[&problem(limit + 1)], "solve --digits 51"), "n:");
+    assert!(
+        solve_file(&[&problem(limit)], "solve --digits 50")
+            .status
+            .success()
+    );
+    assert_refused(
+        &solve_file(&[&problem(limit + 1)], "solve --digits 51"),
+        "n:",
+    );
     assert!(start.elapsed() < Duration::from_secs(60), "takes too long");
     let output = burmester("solve --digits 100001").output().unwrap();
     assert_eq!(output.status.code(), Some(2));
@@ -77,7 +87,11 @@ fn numbers_at_the_limit_of_digits() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_said() {
-    for arguments in ["verify kaufman", "explain wunderlich1968/eq/1.4", "vectors list"] {
+    for arguments in [
+        "verify kaufman",
+        "explain wunderlich1968/eq/1.4",
+        "vectors list",
+    ] {
         let full = File::options().write(true).open("/dev/full").unwrap();
         let output = burmester(arguments).stdout(full).output().unwrap();
         assert_refused(&output, "standard output");

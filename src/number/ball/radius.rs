@@ -460,7 +460,7 @@ mod tests {
             let [x, y] = [x, y].map(|mid| Float::with_val(200, mid) / 7u32);
             let [a, b] = [&x, &y].map(|mid| mid.to_rational().unwrap().abs());
             for (r, s) in few.iter().flat_map(|r| few.iter().map(|s| (*r, *s))) {
-                let error = Rational::from(&a * exact(s)) + exact(r) * (&b + exact(s));
+                let error = &a * exact(s) + exact(r) * (&b + exact(s));
                 let bound = exact(Radius::of_product([&x, &y], [r, s]));
                 assert!(bound >= error && bound <= Rational::from(&error >> 27) + &error);
             }

@@ -50,6 +50,12 @@ impl<K: Known> Curve<'_, K> {
             }
             return rest.finish();
         }
+        let none_shown = parts.iter().all(|part| shown[*part].is_null());
+        if none_shown && self.has_conic_only().is_unknown() {
+            let open = "whether the line at infinity is a part of it";
+            rest.after(Err(Defect::unchecked(format!("{name}: {open}"))))?;
+            return rest.finish();
+        }
         let focus = self.focus();
         rest.after(sheet.finite_point(&shown["focus"], &at("focus"), &focus))?;
         let asymptote = self.asymptote();

@@ -1,5 +1,10 @@
 //! What a fuzzer does with bytes: `fuzz/` runs these for hours, the ordinary tests for seconds.
 
+#![allow(
+    clippy::panic,
+    reason = "a panic is what a fuzzer looks for; in `fuzz/` the lint is off"
+)]
+
 pub mod bytes;
 pub mod schema;
 
@@ -15,11 +20,70 @@ use schema::Schema;
 
 /// What formulas are made of.
 const WORDS: [&str; 64] = [
-    "x", "y_1", "alpha", "O_12", "k", "2", "1/2", "0.90", "i", "pi", "+", "-", "*", "/", "^", "=", "≠",
-    "<", "≤", "≡", "~", ":", ",", ";", "(", ")", "[", "]", "{", "}", "|", "'", "±", "∓", "sqrt", "sin",
-    "cos", "tan", "conj", "abs", "re", "im", "angle", "dist", "line", "meet", "collinear", "concyclic",
-    "det", "minor", "coeff", "roots", "sum", "for", "in", "where", "assume", "if", "iff", "and", "mod",
-    "deg", "..", "\n",
+    "x",
+    "y_1",
+    "alpha",
+    "O_12",
+    "k",
+    "2",
+    "1/2",
+    "0.90",
+    "i",
+    "pi",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "=",
+    "≠",
+    "<",
+    "≤",
+    "≡",
+    "~",
+    ":",
+    ",",
+    ";",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    "|",
+    "'",
+    "±",
+    "∓",
+    "sqrt",
+    "sin",
+    "cos",
+    "tan",
+    "conj",
+    "abs",
+    "re",
+    "im",
+    "angle",
+    "dist",
+    "line",
+    "meet",
+    "collinear",
+    "concyclic",
+    "det",
+    "minor",
+    "coeff",
+    "roots",
+    "sum",
+    "for",
+    "in",
+    "where",
+    "assume",
+    "if",
+    "iff",
+    "and",
+    "mod",
+    "deg",
+    "..",
+    "\n",
 ];
 
 /// Any text as a formula.
@@ -31,12 +95,16 @@ pub fn formula_text(data: &[u8]) {
         return;
     };
     let shown = formula.to_string();
-    let again = read(&shown).unwrap_or_else(|error| panic!("{shown:?} does not read back: {error}"));
+    let again =
+        read(&shown).unwrap_or_else(|error| panic!("{shown:?} does not read back: {error}"));
     assert_eq!(again.to_string(), shown, "read back differently");
     let _ = (latex(&formula), mathml(&formula), normal_form(&formula));
     for mutant in mutants(&formula, &["x", "y_2", "O_13"]).iter().take(40) {
         let shown = mutant.formula.to_string();
-        assert!(read(&shown).is_ok(), "the mutant {shown:?} does not read back");
+        assert!(
+            read(&shown).is_ok(),
+            "the mutant {shown:?} does not read back"
+        );
     }
 }
 

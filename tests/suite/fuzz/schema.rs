@@ -7,8 +7,32 @@ use super::bytes::Bytes;
 
 /// Numbers as people and programs write them, and some that are hard.
 const NUMBERS: [&str; 26] = [
-    "0", "1", "-1", "2", "3", "-4", "5", "1/2", "-3/7", "3/5", "4/5", "12/13", "-5/13", "0.1", "-2.50",
-    "90", "30", "60", "180", "-45", "1e-9", "1e30", "-1e-30", "1000000007", "0.70710678", "1/3",
+    "0",
+    "1",
+    "-1",
+    "2",
+    "3",
+    "-4",
+    "5",
+    "1/2",
+    "-3/7",
+    "3/5",
+    "4/5",
+    "12/13",
+    "-5/13",
+    "0.1",
+    "-2.50",
+    "90",
+    "30",
+    "60",
+    "180",
+    "-45",
+    "1e-9",
+    "1e30",
+    "-1e-30",
+    "1000000007",
+    "0.70710678",
+    "1/3",
 ];
 
 /// Deeper than any problem.
@@ -71,16 +95,15 @@ impl Schema {
         if let Some(constant) = schema.get("const") {
             return constant.clone();
         }
-        for word in ["enum", "oneOf"] {
-            let choice = schema[word].as_array().and_then(|all| bytes.of(all));
-            match choice {
-                Some(value) if word == "enum" => return value.clone(),
-                Some(schema) => return self.value(schema, bytes, depth + 1),
-                None => {}
-            }
+        if let Some(value) = schema["enum"].as_array().and_then(|all| bytes.of(all)) {
+            return value.clone();
+        }
+        let form = schema["oneOf"].as_array().and_then(|all| bytes.of(all));
+        if let (Some(form), None) = (form, schema.get("properties")) {
+            return self.value(form, bytes, depth + 1);
         }
         match schema["type"].as_str() {
-            Some("object") => self.object(schema, bytes, depth),
+            Some("object") => self.object(schema, form, bytes, depth),
             Some("array") => self.array(schema, bytes, depth),
             Some("string") if schema.get("pattern").is_some() => number(bytes),
             Some("string") => json!("x"),
@@ -104,11 +127,20 @@ impl Schema {
         other.value(part, bytes, depth + 1)
     }
 
-    fn object(&self, schema: &Value, bytes: &mut Bytes<'_>, depth: usize) -> Value {
-        let required: Vec<&str> = schema["required"]
-            .as_array()
-            .map(|names| names.iter().filter_map(Value::as_str).collect())
-            .unwrap_or_default();
+    /// With the fields that one of its forms asks for.
+    fn object(
+        &self,
+        schema: &Value,
+        form: Option<&Value>,
+        bytes: &mut Bytes<'_>,
+        depth: usize,
+    ) -> Value {
+        let lists = [Some(schema), form].into_iter().flatten();
+        let required: Vec<&str> = lists
+            .filter_map(|one| one["required"].as_array())
+            .flatten()
+            .filter_map(Value::as_str)
+            .collect();
         let mut made = Map::new();
         for (name, part) in schema["properties"].as_object().into_iter().flatten() {
             let remark = ["id", "kind", "flags", "note", "claims"].contains(&name.as_str());
