@@ -7,6 +7,7 @@ import subprocess
 PROFILE = [
     "--config", 'profile.mutants.inherits="dev"',
     "--config", "profile.mutants.debug=false",
+    "--config", "profile.mutants.opt-level=1",
     "--profile", "mutants",
 ]
 
@@ -41,10 +42,10 @@ def rendered(found):
     return "\n".join(m["message"]["rendered"] for m in found if m["reason"] == "compiler-message")
 
 
-def without_errors(sample, folder, say):
+def without_errors(sample, root, folder, say):
     """Drops mutants until the rest compiles; the numbers of the dropped."""
     while True:
-        sample.write(folder)
+        sample.write(root, folder)
         status, found, err = messages(folder, ["check", "--lib", *PROFILE])
         if status == 0:
             return

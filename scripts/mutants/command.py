@@ -41,13 +41,13 @@ def main():
     folder = ROOT / "target" / "mutants-tree"
     if given.rooms == ["planted"]:
         return planted.main(ROOT, folder, say)
-    sample.copy(ROOT, folder)
     mutants = sample.listed(ROOT)
     if given.only:
         mutants = [m for m in mutants if given.only in m["name"]]
     drawn = sample.Sample(ROOT, mutants, rooms, given.sample, given.seed)
     say(f"{len(drawn.mutants)} drawn of {len(mutants)}")
-    build.without_errors(drawn, folder, say)
+    sample.copy(ROOT, folder, drawn.switched())
+    build.without_errors(drawn, ROOT, folder, say)
     say(f"{len(drawn.mutants)} compile; building the tests")
     suite = build.suite(folder)
     reach = run.Reach(suite, folder, say)

@@ -56,10 +56,10 @@ class Planted(sample.Sample):
             )
             self.edits[BUILT_IN].append(file.made(start, start + len(old), f"({chain}{{{{ {old} }}}})"))
 
-    def write(self, folder):
+    def write(self, root, folder):
         for number, (name, text) in self.variants.items():
-            (folder / f"{name}.{number}").write_text(text)
-        super().write(folder)
+            sample.put(folder / f"{name}.{number}", text.encode())
+        super().write(root, folder)
 
 
 def fate(planted, suite, folder, plain, reach, number):
@@ -75,11 +75,11 @@ def fate(planted, suite, folder, plain, reach, number):
 
 
 def main(root, folder, say):
-    sample.copy(root, folder)
+    planted = Planted(root)
+    sample.copy(root, folder, planted.switched())
+    planted.write(root, folder)
     plain = folder.with_name("plain-tree")
     sample.copy(root, plain)
-    planted = Planted(root)
-    planted.write(folder)
     suite = build.suite(folder)
     reach = run.Reach(suite, folder, say)
     print("| defect | planted | noticed by |\n| --- | --- | --- |")

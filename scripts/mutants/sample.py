@@ -2,7 +2,6 @@
 
 import json
 import random
-import shutil
 import subprocess
 
 from . import switch
@@ -18,20 +17,26 @@ def listed(root):
     return json.loads(run.stdout)
 
 
-def copy(root, folder):
-    """The files of the project as they stand, into a folder that may hold an earlier copy."""
-    names = subprocess.run(
+def copy(root, folder, switched=()):
+    """The files of the project as they stand, into a folder that may hold an earlier copy, but for those
+    that switches are written into."""
+    run = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
         cwd=root, capture_output=True, text=True, check=True,
-    ).stdout.split("\n")
-    shutil.rmtree(folder / "src", ignore_errors=True)
-    for name in filter(None, names):
-        source, target = root / name, folder / name
-        if not source.exists():
-            continue
-        target.parent.mkdir(parents=True, exist_ok=True)
-        if not target.exists() or target.read_bytes() != source.read_bytes():
-            shutil.copyfile(source, target)
+    )
+    names = {name for name in run.stdout.split("\n") if (root / name).is_file()}
+    for old in (folder / "src").rglob("*.*"):
+        if str(old.relative_to(folder)) not in names.union(switched):
+            old.unlink()
+    for name in names.difference(switched):
+        put(folder / name, (root / name).read_bytes())
+
+
+def put(path, content):
+    """Unless it is there: the compiler goes by times."""
+    if not path.exists() or path.read_bytes() != content:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
 
 
 class Sample:
@@ -67,15 +72,17 @@ class Sample:
             self.mutants[edit.number] = {"room": room, "name": mutant["name"], "file": name}
             drawn += 1
 
-    def write(self, folder):
+    def switched(self):
+        """The files that `write` writes."""
+        return {*self.edits, "src/mutated.rs", "src/lib.rs"}
+
+    def write(self, root, folder):
         """All switches into a copy of the tree."""
         for name, edits in self.edits.items():
-            (folder / name).write_bytes(switch.applied(self.files[name].source, edits))
-        (folder / "src/mutated.rs").write_text(switch.MODULE)
-        library = folder / "src/lib.rs"
-        text = library.read_text()
-        if "pub mod mutated;" not in text:
-            library.write_text(text + "\n#[doc(hidden)]\npub mod mutated;\n")
+            put(folder / name, switch.applied(self.files[name].source, edits))
+        put(folder / "src/mutated.rs", switch.MODULE.encode())
+        library = (root / "src/lib.rs").read_bytes()
+        put(folder / "src/lib.rs", library + b"\n#[doc(hidden)]\npub mod mutated;\n")
 
     def drop(self, errors):
         """Takes out those that the compiler's errors point at; which these are."""

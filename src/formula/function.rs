@@ -179,7 +179,7 @@ impl Function {
                 "angle mod 2π",
             ),
             Function::Dist => entry("dist", Exactly(2), "points", "number, not negative"),
-            Function::Line => entry("line", Exactly(2), "points", "line"),
+            Function::Line => entry("line", Exactly(2), "different points", "line"),
             Function::Meet => entry("meet", Exactly(2), "lines", "point, finite or not"),
             Function::Collinear => entry("collinear", AtLeast(3), "points", "truth"),
             Function::Concyclic => entry("concyclic", AtLeast(4), "points", "truth"),

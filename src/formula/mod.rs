@@ -3,6 +3,7 @@
 mod bindings;
 mod cis;
 mod compare;
+mod consequence;
 mod difference;
 mod error;
 mod evaluate;
@@ -24,6 +25,7 @@ pub mod tree;
 mod value;
 
 pub use bindings::Bindings;
+pub use consequence::follows;
 pub use difference::{Difference, difference};
 pub use error::ReadError;
 pub use evaluate::{Failure, Outcome, evaluate, evaluate_expression};

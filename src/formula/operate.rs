@@ -208,10 +208,13 @@ pub(super) fn call<K: Real>(
             Ok(Angle::at_vertex(&a, &b, &c).into())
         }
         Function::Dist => Ok(relation::distance(&arguments.point(0)?, &arguments.point(1)?).into()),
-        Function::Line => Ok(Value::Line(line(
-            &arguments.point(0)?,
-            &arguments.point(1)?,
-        ))),
+        Function::Line => {
+            let (a, b) = (arguments.point(0)?, arguments.point(1)?);
+            if (&a - &b).is_zero().is_yes() {
+                return Err(Failure::no_value("a point with itself has no line", tree));
+            }
+            Ok(Value::Line(line(&a, &b)))
+        }
         Function::Meet => Ok(Value::Point(meet(arguments.line(0)?, arguments.line(1)?))),
         Function::Det => arguments.determinant(),
         Function::Collinear

@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::error::JudgeError;
 use super::formula::{FIRST_INSTANCES, Finding, MANY_INSTANCES, decide, proved_for_all};
 use super::stage::Stage;
-use crate::formula::{Failure, Formula, Mutant, evaluate, mutants};
+use crate::formula::{Failure, Formula, Mutant, evaluate, follows, mutants};
 
 /// What became of the mutants of a formula.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
@@ -40,7 +40,7 @@ pub fn try_mutants(formula: &Formula, stage: &mut Stage) -> Result<MutantCounts,
         .collect();
     let mut counts = MutantCounts::default();
     for mutant in mutants(formula, &names) {
-        match fate(&mutant, stage)? {
+        match fate(&mutant, formula, stage)? {
             Fate::NoFormula => continue,
             Fate::Rejected => counts.rejected += 1,
             Fate::Equivalent => counts.equivalent += 1,
@@ -74,7 +74,7 @@ fn reason(stage: &Stage) -> String {
 
 /// The numbers of an example are all that the line speaks of. Elsewhere a few instances first; free
 /// symbols, then more instances, only for those that survive.
-fn fate(mutant: &Mutant, stage: &mut Stage) -> Result<Fate, JudgeError> {
+fn fate(mutant: &Mutant, formula: &Formula, stage: &mut Stage) -> Result<Fate, JudgeError> {
     if stage.example().is_some() {
         return fate_in_example(mutant, stage);
     }
@@ -85,7 +85,7 @@ fn fate(mutant: &Mutant, stage: &mut Stage) -> Result<Fate, JudgeError> {
         Err(JudgeError::Formula { .. }) => return Ok(Fate::NoFormula),
         Err(other) => return Err(other),
     }
-    if proved_for_all(&mutant.formula, stage)? {
+    if follows(&mutant.formula, formula) || proved_for_all(&mutant.formula, stage)? {
         return Ok(Fate::Equivalent);
     }
     if rejected(mutant, stage, MANY_INSTANCES)? {

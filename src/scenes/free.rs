@@ -20,6 +20,11 @@ pub trait Free<K: Real> {
     /// A length: a number that is not negative and not zero.
     fn length(&mut self, name: &str) -> Result<Number<K>, Unbuilt>;
 
+    /// A length that may as well be one that is known: random lengths alone would never be equal.
+    fn length_or(&mut self, name: &str, _known: &Number<K>) -> Result<Number<K>, Unbuilt> {
+        self.length(name)
+    }
+
     /// A ratio between 0 and 1, both excluded.
     fn part(&mut self, name: &str) -> Result<Number<K>, Unbuilt> {
         let other = self.length(name)?;
@@ -249,6 +254,14 @@ impl<K: Real<Precision = ()>> Free<K> for Random {
 
     fn length(&mut self, _: &str) -> Result<Number<K>, Unbuilt> {
         Ok(self.quotient().into())
+    }
+
+    fn length_or(&mut self, name: &str, known: &Number<K>) -> Result<Number<K>, Unbuilt> {
+        if self.below(3) == 0 {
+            Ok(known.clone())
+        } else {
+            self.length(name)
+        }
     }
 
     fn number(&mut self, _: &str) -> Result<Number<K>, Unbuilt> {

@@ -23,7 +23,8 @@ pub const SCENE: Scene = scene!(
 );
 
 fn build<K: Real>(free: &mut dyn Free<K>) -> Result<Bindings<K>, Unbuilt> {
-    let (r, t) = (free.length("R")?, free.length("T")?);
+    let r = free.length("R")?;
+    let t = free.length_or("T", &r)?;
     let upright = Angle::from_cos_sin(Number::zero(), Number::one());
     let design = upon(&r, &t, &upright)
         .design()
