@@ -89,7 +89,7 @@ class Reach:
 def fate(suite, folder, reach, number):
     """What notices the mutant; None if nothing does."""
     for module in reach.of(number):
-        limit = 20 + 20 * reach.seconds[module]
+        limit = 10 + 6 * reach.seconds[module]
         found, _ = run(suite, folder, module, {"BURMESTER_MUTANT": str(number)}, limit, 1)
         if found != "passed":
             return found

@@ -694,7 +694,7 @@ const NO_VALUE: &[(&str, &str)] = &[
     ),
     (
         "meet(line(O, O), line(C, B)) = O",
-        "meet(line(O, O), line(C, B))",
+        "line(O, O)",
     ),
     ("cos 10 deg = 1", "cos 10 deg"),
     ("alpha + 10 deg = beta", "alpha + 10 deg"),
