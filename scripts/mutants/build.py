@@ -55,12 +55,9 @@ def without_errors(sample, root, folder, say):
         say(f"{len(dropped)} do not compile")
 
 
-def suite(folder):
-    """The path of the test program."""
-    status, found, err = messages(folder, ["test", "--no-run", "--test", "suite", *PROFILE])
+def programs(folder):
+    """The paths of the test programs: the suite, and the tests beside the code."""
+    status, found, err = messages(folder, ["test", "--no-run", "--lib", "--test", "suite", *PROFILE])
     if status:
         raise SystemExit("the tests do not compile:\n" + err[-3000:])
-    for message in found:
-        if message["reason"] == "compiler-artifact" and message["target"]["name"] == "suite":
-            return message["executable"]
-    raise SystemExit("no test program")
+    return [m["executable"] for m in found if m["reason"] == "compiler-artifact" and m["executable"]]

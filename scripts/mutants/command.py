@@ -23,6 +23,7 @@ def arguments():
     parser.add_argument("--sample", type=int, default=75, help="mutants drawn in each room, some of which do not compile (default 75)")
     parser.add_argument("--seed", type=int, default=1888)
     parser.add_argument("--only", metavar="TEXT", help="only mutants whose name holds this text")
+    parser.add_argument("--again", type=pathlib.Path, metavar="FILE", help="only those that nothing noticed when this file was written")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write what became of each")
     return parser.parse_args()
@@ -44,20 +45,23 @@ def main():
     mutants = sample.listed(ROOT)
     if given.only:
         mutants = [m for m in mutants if given.only in m["name"]]
+    if given.again:
+        before = [json.loads(line) for line in given.again.read_text().splitlines()]
+        missed = {mutant["name"] for mutant in before if mutant["noticed_by"] is None}
+        mutants = [m for m in mutants if m["name"] in missed]
     drawn = sample.Sample(ROOT, mutants, rooms, given.sample, given.seed)
     say(f"{len(drawn.mutants)} drawn of {len(mutants)}")
     sample.copy(ROOT, folder, drawn.switched())
     build.without_errors(drawn, ROOT, folder, say)
     say(f"{len(drawn.mutants)} compile; building the tests")
-    suite = build.suite(folder)
-    reach = run.Reach(suite, folder, say)
+    reach = run.Reach(build.programs(folder), folder, say)
     found = {}
-    for number, fate in run.fates(suite, folder, reach, sorted(drawn.mutants), given.jobs, lambda *_: None):
+    for number, fate in run.fates(folder, reach, sorted(drawn.mutants), given.jobs):
         found[number] = fate
         name = drawn.mutants[number]["name"]
         say(f"{len(found)}/{len(drawn.mutants)} {'MISSED' if fate is None else fate}: {name}")
     if given.json:
-        lines = [{**drawn.mutants[n], "noticed_by": found[n], "reached_by": reach.of(n)} for n in sorted(found)]
+        lines = [{**drawn.mutants[n], "noticed_by": found[n], "reached_by": [name for _, name in reach.of(n)]} for n in sorted(found)]
         given.json.write_text("".join(json.dumps(line) + "\n" for line in lines))
     return report(drawn, found, rooms)
 

@@ -65,11 +65,11 @@ class Planted(sample.Sample):
 def fate(planted, suite, folder, plain, reach, number):
     """What notices a defect; one that tests read as text is put into a plain copy meanwhile."""
     if number not in planted.at_run_time:
-        return run.fate(suite, folder, reach, number)
+        return run.fate(folder, reach, number)
     name, text = planted.at_run_time[number]
     kept = (plain / name).read_text()
     (plain / name).write_text(text)
-    found, _ = run.run(suite, plain, "architecture", {}, 300, 1)
+    found, _ = run.run((suite, "architecture"), plain, {}, 300, 1)
     (plain / name).write_text(kept)
     return None if found == "passed" else found
 
@@ -80,8 +80,9 @@ def main(root, folder, say):
     planted.write(root, folder)
     plain = folder.with_name("plain-tree")
     sample.copy(root, plain)
-    suite = build.suite(folder)
-    reach = run.Reach(suite, folder, say)
+    programs = build.programs(folder)
+    suite = next(program for program in programs if "/suite-" in program)
+    reach = run.Reach(programs, folder, say)
     print("| defect | planted | noticed by |\n| --- | --- | --- |")
     missed = 0
     for number, defect in planted.mutants.items():

@@ -21,17 +21,19 @@ def limited():
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
 
 
-def modules(suite, folder):
-    text = subprocess.run([suite, "--list"], cwd=folder, capture_output=True, text=True, check=True).stdout
+def modules(program, folder):
+    """Of a test program, as (program, name)."""
+    text = subprocess.run([program, "--list"], cwd=folder, capture_output=True, text=True, check=True).stdout
     names = {line.split("::")[0] for line in text.splitlines() if "::" in line}
-    return sorted(names - NOT_RUN)
+    return [(program, name) for name in sorted(names - NOT_RUN)]
 
 
-def run(suite, folder, module, environment, seconds, threads):
+def run(part, folder, environment, seconds, threads):
     """`passed`, the name of the first test that fails, `timeout` or `crash`; and how long it took."""
     start = time.monotonic()
+    program, module = part
     process = subprocess.Popen(
-        [suite, f"{module}::", "--test-threads", str(threads)],
+        [program, f"{module}::", "--test-threads", str(threads)],
         cwd=folder, env={**os.environ, "PROPTEST_FAILURE_PERSISTENCE": "off", **environment},
         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, preexec_fn=limited,
     )
@@ -67,40 +69,38 @@ def run(suite, folder, module, environment, seconds, threads):
 class Reach:
     """Which mutants each module of the tests reaches, and how long it takes without any."""
 
-    def __init__(self, suite, folder, say):
+    def __init__(self, programs, folder, say):
         self.seconds, self.reached = {}, {}
-        for module in modules(suite, folder):
+        for part in (part for program in programs for part in modules(program, folder)):
             with tempfile.TemporaryDirectory() as temporary:
                 file = pathlib.Path(temporary) / "reached"
-                found, taken = run(suite, folder, module, {"BURMESTER_REACHED": str(file)}, 900, os.cpu_count())
+                found, taken = run(part, folder, {"BURMESTER_REACHED": str(file)}, 900, os.cpu_count())
                 if found != "passed":
                     raise SystemExit(f"without any mutant: {found}")
                 numbers = file.read_text().split() if file.exists() else []
-            self.seconds[module] = taken
-            self.reached[module] = set(map(int, numbers))
-            say(f"{module}: {taken:.1f} s, reaches {len(self.reached[module])}")
+            self.seconds[part] = taken
+            self.reached[part] = set(map(int, numbers))
+            say(f"{part[1]}: {taken:.1f} s, reaches {len(self.reached[part])}")
 
     def of(self, number):
         """Quickest first."""
-        found = [m for m, numbers in self.reached.items() if number in numbers]
+        found = [part for part, numbers in self.reached.items() if number in numbers]
         return sorted(found, key=self.seconds.get)
 
 
-def fate(suite, folder, reach, number):
+def fate(folder, reach, number):
     """What notices the mutant; None if nothing does."""
-    for module in reach.of(number):
-        limit = 10 + 6 * reach.seconds[module]
-        found, _ = run(suite, folder, module, {"BURMESTER_MUTANT": str(number)}, limit, 1)
+    for part in reach.of(number):
+        limit = 10 + 6 * reach.seconds[part]
+        found, _ = run(part, folder, {"BURMESTER_MUTANT": str(number)}, limit, 1)
         if found != "passed":
             return found
     return None
 
 
-def fates(suite, folder, reach, numbers, jobs, say):
+def fates(folder, reach, numbers, jobs):
     """Of all, as they are known."""
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        futures = {pool.submit(fate, suite, folder, reach, n): n for n in numbers}
+        futures = {pool.submit(fate, folder, reach, n): n for n in numbers}
         for done in concurrent.futures.as_completed(futures):
-            number = futures[done]
-            say(number, done.result())
-            yield number, done.result()
+            yield futures[done], done.result()

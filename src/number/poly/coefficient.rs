@@ -67,12 +67,37 @@ impl Coefficient {
             *self = (i128::from(*sum) + i128::from(*a) * i128::from(*b)).into();
             return;
         }
-        *self = (self.to_integer() + a.to_integer() * b.to_integer()).into();
+        let mut sum = self.take_integer();
+        match (a, b) {
+            (Big(a), Big(b)) => sum += a * b,
+            (Big(big), Small(small)) | (Small(small), Big(big)) => sum += big * *small,
+            (Small(a), Small(b)) => sum += i128::from(*a) * i128::from(*b),
+        }
+        *self = sum.into();
     }
 
     /// `self − a·b`, in place.
     pub fn sub_product(&mut self, a: &Self, b: &Self) {
-        self.add_product(&a.negated(), b);
+        if let (Small(difference), Small(a), Small(b)) = (&*self, a, b) {
+            // As above.
+            *self = (i128::from(*difference) - i128::from(*a) * i128::from(*b)).into();
+            return;
+        }
+        let mut difference = self.take_integer();
+        match (a, b) {
+            (Big(a), Big(b)) => difference -= a * b,
+            (Big(big), Small(small)) | (Small(small), Big(big)) => difference -= big * *small,
+            (Small(a), Small(b)) => difference -= i128::from(*a) * i128::from(*b),
+        }
+        *self = difference.into();
+    }
+
+    /// The value, which another will take the place of.
+    fn take_integer(&mut self) -> Integer {
+        match std::mem::replace(self, Self::ZERO) {
+            Small(i) => i.into(),
+            Big(z) => z,
+        }
     }
 
     pub fn negated(&self) -> Self {
@@ -95,9 +120,10 @@ impl Coefficient {
         if divisor.is_zero() {
             return None;
         }
-        if let (Small(a), Small(b)) = (self, divisor) {
-            let (a, b) = (i128::from(*a), i128::from(*b));
-            return (a % b == 0).then(|| (a / b).into());
+        if let (Small(a), Small(b)) = (self, divisor)
+            && let (Some(quotient), Some(remainder)) = (a.checked_div(*b), a.checked_rem(*b))
+        {
+            return (remainder == 0).then_some(Small(quotient));
         }
         let (a, b) = (self.to_integer(), divisor.to_integer());
         a.is_divisible(&b).then(|| a.div_exact(&b).into())
@@ -124,13 +150,10 @@ impl Coefficient {
     /// The remainder in `0..modulus`.
     pub fn modulo(&self, modulus: u64) -> u64 {
         match self {
-            Small(i) => {
-                let remainder = i128::from(*i).rem_euclid(i128::from(modulus));
-                #[expect(clippy::as_conversions, reason = "a remainder modulo a u64 fits u64")]
-                {
-                    remainder as u64
-                }
-            }
+            Small(i) => match i.unsigned_abs() % modulus {
+                remainder if *i < 0 && remainder > 0 => modulus - remainder,
+                remainder => remainder,
+            },
             Big(z) => z.mod_u64(modulus),
         }
     }

@@ -409,8 +409,13 @@ pub(super) fn divide(dividend: &[Term], divisor: &[Term]) -> Option<Vec<Term>> {
         smallest: last.0.divided_by(&last_of_divisor.0)?,
     };
     match Numbering::new(&degrees_of_dividend) {
-        Some(numbering) => division.quotient(|monomial| numbering.key(monomial)),
-        None => division.quotient(|monomial| *monomial),
+        // Every term of the dividend is a product at least, and a heap takes several times as long
+        // for one as a table.
+        Some(numbering) if numbering.is_dense(4 * dividend.len()) => {
+            division.quotient_by_table(&numbering)
+        }
+        Some(numbering) => division.quotient_by_heap(|monomial| numbering.key(monomial)),
+        None => division.quotient_by_heap(|monomial| *monomial),
     }
 }
 
@@ -425,11 +430,47 @@ struct Division<'a> {
 }
 
 impl Division<'_> {
+    /// The monomial of the quotient for the largest monomial that is left.
+    fn factor(&self, monomial: &Monomial) -> Option<Monomial> {
+        let factor = monomial.divided_by(&self.lead.0)?;
+        self.bounds.divided_by(&factor)?;
+        (factor >= self.smallest).then_some(factor)
+    }
+
+    /// What is left of the dividend stands in a table of all its monomials.
+    #[expect(
+        clippy::indexing_slicing,
+        reason = "a product with a monomial of the quotient has no larger exponents than the dividend"
+    )]
+    fn quotient_by_table(&self, numbering: &Numbering) -> Option<Vec<Term>> {
+        let mut left = vec![Coefficient::ZERO; count::from_u64(numbering.size)];
+        for (monomial, coefficient) in self.dividend {
+            left[numbering.index(monomial)] = coefficient.clone();
+        }
+        let lead = numbering.index(&self.lead.0);
+        let rest = self.rest.iter();
+        let rest: Vec<_> = rest.map(|(m, c)| (numbering.index(m), c)).collect();
+        let mut quotient = Vec::new();
+        for index in (lead..left.len()).rev() {
+            if left[index].is_zero() {
+                continue;
+            }
+            let factor = self.factor(&numbering.monomial(index))?;
+            let coefficient = left[index].divide_exactly(&self.lead.1)?;
+            for (place, c) in &rest {
+                left[index - lead + place].sub_product(c, &coefficient);
+            }
+            quotient.push((factor, coefficient));
+        }
+        let is_whole = left[..lead].iter().all(Coefficient::is_zero);
+        (is_whole && quotient.len() <= MAX_TERMS).then_some(quotient)
+    }
+
     #[expect(
         clippy::indexing_slicing,
         reason = "products wait by the places of their factors, and the divisor has a term beside its first"
     )]
-    fn quotient<K: Key>(&self, key: impl Fn(&Monomial) -> K) -> Option<Vec<Term>> {
+    fn quotient_by_heap<K: Key>(&self, key: impl Fn(&Monomial) -> K) -> Option<Vec<Term>> {
         let keys: Vec<K> = self.rest.iter().map(|term| key(&term.0)).collect();
         let mut quotient: Vec<Term> = Vec::new();
         let mut keys_of_quotient: Vec<K> = Vec::new();
@@ -462,9 +503,8 @@ impl Division<'_> {
             if coefficient.is_zero() {
                 continue;
             }
-            let factor = monomial.divided_by(&self.lead.0)?;
-            self.bounds.divided_by(&factor)?;
-            if factor < self.smallest || quotient.len() >= MAX_TERMS {
+            let factor = self.factor(&monomial)?;
+            if quotient.len() >= MAX_TERMS {
                 return None;
             }
             let factor_key = key(&factor);
@@ -656,6 +696,30 @@ mod tests {
             assert_eq!(divide(&add(&product, &one).unwrap(), &a), None);
             assert_eq!(divide(&[], &a), Some(Vec::new()));
             assert_eq!(divide(&a, &[]), None);
+        }
+    }
+
+    #[test]
+    fn both_divisions_agree() {
+        let one = [(Monomial::ONE, Coefficient::ONE)];
+        for large in [false, true] {
+            let (a, b) = (sample(40, 7, large), sample(30, 8, large));
+            let product = multiply(&a, &b).unwrap();
+            for dividend in [&product, &add(&product, &one).unwrap()] {
+                let degrees_of_dividend = degrees(dividend);
+                let division = Division {
+                    dividend,
+                    lead: &a[0],
+                    rest: &a[1..],
+                    bounds: degrees_of_dividend.divided_by(&degrees(&a)).unwrap(),
+                    smallest: Monomial::ONE,
+                };
+                let numbering = Numbering::new(&degrees_of_dividend).unwrap();
+                let quotient = division.quotient_by_table(&numbering);
+                assert_eq!(quotient, division.quotient_by_heap(|m| numbering.key(m)));
+                assert_eq!(quotient, division.quotient_by_heap(|m| *m));
+                assert_eq!(quotient.is_some(), *dividend == product);
+            }
         }
     }
 
