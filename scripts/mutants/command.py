@@ -20,10 +20,10 @@ def arguments():
         "95 %% are noticed in some room, 2 if nothing can be built.",
     )
     parser.add_argument("rooms", nargs="*", metavar="ROOM", help=f"of src (default: {' '.join(sample.ROOMS)}), or `planted`: the defects of planted.toml instead")
-    parser.add_argument("--sample", type=int, default=75, help="mutants drawn in each room, some of which do not compile (default 75)")
+    parser.add_argument("--sample", type=int, default=55, help="mutants of each room, or as many as compile (default 55)")
     parser.add_argument("--seed", type=int, default=1888)
     parser.add_argument("--only", metavar="TEXT", help="only mutants whose name holds this text")
-    parser.add_argument("--again", type=pathlib.Path, metavar="FILE", help="only those that nothing noticed when this file was written")
+    parser.add_argument("--again", type=pathlib.Path, metavar="FILE", help="only those that nothing had noticed when --json wrote this file")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="write what became of each")
     return parser.parse_args()
@@ -49,11 +49,12 @@ def main():
         before = [json.loads(line) for line in given.again.read_text().splitlines()]
         missed = {mutant["name"] for mutant in before if mutant["noticed_by"] is None}
         mutants = [m for m in mutants if m["name"] in missed]
-    drawn = sample.Sample(ROOT, mutants, rooms, given.sample, given.seed)
+    drawn = sample.Sample(ROOT, mutants, rooms, 2 * given.sample, given.seed)
     say(f"{len(drawn.mutants)} drawn of {len(mutants)}")
     sample.copy(ROOT, folder, drawn.switched())
     build.without_errors(drawn, ROOT, folder, say)
-    say(f"{len(drawn.mutants)} compile; building the tests")
+    drawn.keep(given.sample)
+    say(f"{len(drawn.mutants)} chosen of those that compile; building the tests")
     reach = run.Reach(build.programs(folder), folder, say)
     found = {}
     for number, fate in run.fates(folder, reach, sorted(drawn.mutants), given.jobs):

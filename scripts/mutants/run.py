@@ -11,8 +11,8 @@ import tempfile
 import threading
 import time
 
-# They read the source itself, or build, or take long for what others notice as well.
-NOT_RUN = {"architecture", "dependencies", "examples", "fuzzed", "robustness"}
+# They read the source itself, or build, or are the slow part of the tests.
+NOT_RUN = {"architecture", "dependencies", "examples", "fuzzed", "robustness", "schemas", "stretches", "certificates"}
 MEMORY = 6 << 30
 
 

@@ -1,7 +1,8 @@
 """Which mutants: a seeded sample of those that cargo-mutants makes, in a copy of the tree."""
 
+import collections
+import hashlib
 import json
-import random
 import subprocess
 
 from . import switch
@@ -39,6 +40,12 @@ def put(path, content):
         path.write_bytes(content)
 
 
+def chance(seed, mutant):
+    """The same however the lines of the file move."""
+    change = mutant["name"].split(" ", 1)[1]
+    return hashlib.sha256(f"{seed} {mutant['file']} {change}".encode()).digest()
+
+
 class Sample:
     """The chosen mutants of all rooms and the switches that hold them."""
 
@@ -49,7 +56,7 @@ class Sample:
         self.unswitched = []
         for room in rooms:
             of_room = [m for m in mutants if m["file"].startswith(f"src/{room}/")]
-            random.Random(f"{seed} {room}").shuffle(of_room)
+            of_room.sort(key=lambda mutant: chance(seed, mutant))
             self.draw(root, room, of_room, size)
 
     def draw(self, root, room, mutants, size):
@@ -83,6 +90,14 @@ class Sample:
         put(folder / "src/mutated.rs", switch.MODULE.encode())
         library = (root / "src/lib.rs").read_bytes()
         put(folder / "src/lib.rs", library + b"\n#[doc(hidden)]\npub mod mutated;\n")
+
+    def keep(self, size):
+        """No more than so many of each room."""
+        rooms = collections.Counter()
+        for number, mutant in list(self.mutants.items()):
+            rooms[mutant["room"]] += 1
+            if rooms[mutant["room"]] > size:
+                del self.mutants[number]
 
     def drop(self, errors):
         """Takes out those that the compiler's errors point at; which these are."""

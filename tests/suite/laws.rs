@@ -16,7 +16,8 @@ use std::cmp::Ordering;
 use crate::support::seed::{generator, rounds};
 use burmester::number::decimal::{Machine, Rounding};
 use burmester::number::{
-    Ball, Complex, Decimal, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd, Truth,
+    Ball, Complex, Decimal, Elementary, Exact, Fraction, Kind, Number, Real, Ring, Series, Surd,
+    Truth,
 };
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -439,4 +440,50 @@ fn complex_series() {
     })
     .ring_and_field()
     .report();
+}
+
+/// Each function at some arguments, beside the machine's own.
+fn check_functions<K: Elementary>(precision: &K::Precision, value: impl Fn(&K) -> f64) {
+    type Pair<K> = (&'static str, fn(&mut K), fn(f64) -> f64);
+    let functions: [Pair<K>; 6] = [
+        ("sin", K::sin, f64::sin),
+        ("cos", K::cos, f64::cos),
+        ("tan", K::tan, f64::tan),
+        ("asin", K::asin, f64::asin),
+        ("acos", K::acos, f64::acos),
+        ("atan", K::atan, f64::atan),
+    ];
+    let number = |thousandths: i32| K::rounded(&Rational::from((thousandths, 1000)), precision);
+    let check = |what: &str, found: &K, expected: f64| {
+        let error = (value(found) - expected).abs();
+        assert!(error <= 2e-7, "{what}: {}, expected {expected}", value(found));
+    };
+    for thousandths in [-1000, -707, -1, 0, 3, 500, 999] {
+        let x = f64::from(thousandths) / 1000.0;
+        for (name, function, expected) in functions {
+            let mut found = number(thousandths);
+            function(&mut found);
+            check(&format!("{name} {x}"), &found, expected(x));
+        }
+        for other in [-800, 200] {
+            let mut found = number(thousandths);
+            found.atan2(&number(other));
+            let expected = x.atan2(f64::from(other) / 1000.0);
+            check(&format!("atan2({x}, {other})"), &found, expected);
+        }
+    }
+    check("pi", &K::pi(precision), std::f64::consts::PI);
+    let mut none = number(0);
+    none.atan2(&number(0));
+    assert!(!none.has_value() || value(&none) == 0.0);
+}
+
+#[test]
+fn functions_are_those_of_the_machine() {
+    check_functions::<f64>(&(), |x| *x);
+    check_functions::<Ball>(&100, |x| x.midpoint_rational().unwrap().to_f64());
+    for rounding in [Rounding::Nearest, Rounding::TowardsZero] {
+        let machine = Machine::new(8, rounding).unwrap();
+        check_functions::<Decimal>(&machine, |x| x.rational().unwrap().to_f64());
+    }
 }

@@ -46,6 +46,7 @@ mod scenes;
 mod schemas;
 #[cfg(feature = "command")]
 mod score;
+mod setting;
 mod straight_line;
 mod stretches;
 mod tables;

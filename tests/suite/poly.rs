@@ -10,7 +10,7 @@
 
 use std::cmp::Ordering;
 
-use burmester::number::{Fraction, Kind, Number, Poly, Real, Ring};
+use burmester::number::{EXCESSIVE_BITS, Fraction, Kind, Number, Poly, Real, Ring};
 use proptest::prelude::*;
 use rug::Rational;
 
@@ -511,4 +511,29 @@ fn quarter_turns() {
         &Number(Fraction::constant(Rational::from((1, 3)))),
         &Symbol::ratio(1, 3)
     ));
+}
+
+#[test]
+fn what_is_too_large_says_so() {
+    let largest = Rational::from(1) << (EXCESSIVE_BITS - 1);
+    for (constant, excessive) in [
+        (Rational::from(3), false),
+        (largest.clone(), false),
+        (largest.clone() << 1, true),
+        (largest.recip() >> 1, true),
+    ] {
+        let x = Number::<Fraction>::variable(&ring(), 0);
+        let number = x * Number(Fraction::constant(constant.clone()));
+        assert_eq!(number.0.is_excessive(), excessive);
+    }
+}
+
+#[test]
+fn rings_know_their_variables() {
+    let empty = Ring::empty();
+    assert!(empty.is_empty() && empty.is_prefix_of(&ring()));
+    assert!(!ring().is_empty() && !ring().is_prefix_of(&empty));
+    assert_eq!(ring().len(), 6);
+    assert_eq!(ring().position("m"), Some(2));
+    assert_eq!(ring().position("z"), None);
 }

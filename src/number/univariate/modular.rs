@@ -81,3 +81,37 @@ fn power(mut base: u64, mut exponent: u64) -> u64 {
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rug::Integer;
+
+    fn polynomial(coefficients: &[i32]) -> IntegerPolynomial {
+        IntegerPolynomial::new(coefficients.iter().copied().map(Integer::from).collect())
+    }
+
+    #[test]
+    fn rational_roots_are_never_denied_and_mostly_told() {
+        // 19·23·…·83 as the leading coefficient: no prime tells.
+        let all: i128 = SMALL_PRIMES.iter().map(|p| i128::from(*p)).product();
+        let deaf = IntegerPolynomial::new(vec![1.into(), 0.into(), Integer::from(all)]);
+        assert!(!has_surely_no_rational_root(&deaf));
+        for root in [-83, -3, 0, 1, 19, 1000] {
+            // (x − root)(x² + 1)
+            assert!(!has_surely_no_rational_root(&polynomial(&[-root, 1, -root, 1])));
+        }
+        for rootless in [&[1, 0, 1][..], &[-2, 0, 1], &[3, 1, 0, 0, 0, 5]] {
+            assert!(has_surely_no_rational_root(&polynomial(rootless)));
+        }
+    }
+
+    #[test]
+    fn common_factors_are_never_denied_and_their_lack_mostly_told() {
+        // (x − 2)(x + 3) and (x − 2)(x − 5)
+        let [a, b] = [&[-6, 1, 1][..], &[10, -7, 1]].map(polynomial);
+        assert!(!surely_coprime(&a, &b) && !surely_coprime(&b, &a));
+        assert!(surely_coprime(&a, &polynomial(&[-10, 3, 7])));
+        assert!(surely_coprime(&a, &polynomial(&[4])));
+    }
+}
