@@ -60,4 +60,5 @@ def programs(folder):
     status, found, err = messages(folder, ["test", "--no-run", "--lib", "--test", "suite", *PROFILE])
     if status:
         raise SystemExit("the tests do not compile:\n" + err[-3000:])
-    return [m["executable"] for m in found if m["reason"] == "compiler-artifact" and m["executable"]]
+    tests = [m for m in found if m["reason"] == "compiler-artifact" and m["profile"]["test"]]
+    return [message["executable"] for message in tests if message["executable"]]

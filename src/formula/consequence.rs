@@ -26,7 +26,9 @@ fn sides_of_equations(claim: &Tree) -> Option<Vec<&Tree>> {
     else {
         return None;
     };
-    let is_equation = rest.iter().all(|(relation, _)| *relation == Relation::Equal);
+    let is_equation = rest
+        .iter()
+        .all(|(relation, _)| *relation == Relation::Equal);
     (is_equation && !claim.any(&has_two_values)).then(|| claim.children())
 }
 

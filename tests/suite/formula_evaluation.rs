@@ -692,10 +692,7 @@ const NO_VALUE: &[(&str, &str)] = &[
         "meet(line(O, A), line(C, B)) = O",
         "meet(line(O, A), line(C, B))",
     ),
-    (
-        "meet(line(O, O), line(C, B)) = O",
-        "line(O, O)",
-    ),
+    ("meet(line(O, O), line(C, B)) = O", "line(O, O)"),
     ("cos 10 deg = 1", "cos 10 deg"),
     ("alpha + 10 deg = beta", "alpha + 10 deg"),
     ("x = 3 or x/o = 1", "x/o"),

@@ -456,7 +456,11 @@ fn check_functions<K: Elementary>(precision: &K::Precision, value: impl Fn(&K) -
     let number = |thousandths: i32| K::rounded(&Rational::from((thousandths, 1000)), precision);
     let check = |what: &str, found: &K, expected: f64| {
         let error = (value(found) - expected).abs();
-        assert!(error <= 2e-7, "{what}: {}, expected {expected}", value(found));
+        assert!(
+            error <= 2e-7,
+            "{what}: {}, expected {expected}",
+            value(found)
+        );
     };
     for thousandths in [-1000, -707, -1, 0, 3, 500, 999] {
         let x = f64::from(thousandths) / 1000.0;

@@ -40,7 +40,8 @@ fn calls() -> impl Iterator<Item = String> {
 
 fn shown(text: &str) -> String {
     let formula = read(text).unwrap_or_else(|error| panic!("{text}: {error}"));
-    let normal = normal_form(&formula).map_or_else(|none| none.to_string(), |form| form.to_string());
+    let normal =
+        normal_form(&formula).map_or_else(|none| none.to_string(), |form| form.to_string());
     format!(
         "{text}\n  latex   {}\n  mathml  {}\n  normal  {normal}\n\n",
         latex(&formula),

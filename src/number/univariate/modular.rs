@@ -99,7 +99,9 @@ mod tests {
         assert!(!has_surely_no_rational_root(&deaf));
         for root in [-83, -3, 0, 1, 19, 1000] {
             // (x − root)(x² + 1)
-            assert!(!has_surely_no_rational_root(&polynomial(&[-root, 1, -root, 1])));
+            assert!(!has_surely_no_rational_root(&polynomial(&[
+                -root, 1, -root, 1
+            ])));
         }
         for rootless in [&[1, 0, 1][..], &[-2, 0, 1], &[3, 1, 0, 0, 0, 5]] {
             assert!(has_surely_no_rational_root(&polynomial(rootless)));
