@@ -40,10 +40,14 @@ def put(path, content):
         path.write_bytes(content)
 
 
+def change(mutant):
+    """Its name without the place."""
+    return mutant["name"].split(" ", 1)[1]
+
+
 def chance(seed, mutant):
     """The same however the lines of the file move."""
-    change = mutant["name"].split(" ", 1)[1]
-    return hashlib.sha256(f"{seed} {mutant['file']} {change}".encode()).digest()
+    return hashlib.sha256(f"{seed} {mutant['file']} {change(mutant)}".encode()).digest()
 
 
 class Sample:

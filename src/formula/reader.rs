@@ -15,12 +15,13 @@ use super::tree::{Connective, Formula, Node, Operator, Relation, Span, Tree};
 /// The longest formula that is read, in bytes.
 pub const LENGTH_LIMIT: usize = 20_000;
 
-/// How many constructs may be open at one place.
-pub const NESTING_LIMIT: usize = 200;
-
 /// How many levels a tree may have: a sum of so many terms is a tree of so many levels, and what
 /// walks a tree recurses.
 pub const DEPTH_LIMIT: usize = 400;
+
+/// How many constructs may be open at one place: every level of a tree, and the parentheses that it has
+/// where the tree is shown, so that whatever was read reads back.
+pub const NESTING_LIMIT: usize = 2 * DEPTH_LIMIT + 2;
 
 /// Words that are no names.
 const KEYWORDS: [&str; 11] = [

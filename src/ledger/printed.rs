@@ -168,4 +168,25 @@ mod tests {
         assert_eq!(like(".39753037, 00", -25, 1), "-.25000000, 02");
         assert_eq!(like(".11262542, -03", 1, 300), ".33333333, -02");
     }
+
+    #[test]
+    fn a_cut_needs_all_numbers_to_give_the_print() {
+        let thousandths = |x: i64| Rational::from((x, 1000));
+        for (low, high, is_cut) in [
+            (1231, 1239, true),
+            (1230, 1230, true),
+            (1231, 1241, false),
+            (1229, 1239, false),
+            (-1239, -1231, false),
+        ] {
+            let found = |text: &str, sign: i64| {
+                let mut ends = [sign * low, sign * high];
+                ends.sort_unstable();
+                let [low, high] = ends.map(thousandths);
+                Printed::read(text).unwrap().is_cut_of(&low, &high)
+            };
+            assert_eq!(found("1.23", 1), is_cut, "{low} to {high}");
+            assert_eq!(found("-1.23", -1), is_cut, "-{high} to -{low}");
+        }
+    }
 }

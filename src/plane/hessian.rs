@@ -83,4 +83,49 @@ mod tests {
         let fermat = [1, 0, 0, 1, 0, 0, 0, 0, 0, -1].map(Number::from);
         assert_eq!(count_real(&Cubic::new(fermat)), None);
     }
+
+    #[test]
+    fn the_hessian_is_the_determinant_of_second_derivatives() {
+        let coefficients = [2, -3, 5, 7, -11, 13, -17, 19, 23, -29].map(Number::<Exact>::from);
+        let cubic = Cubic::new(coefficients.clone());
+        let form = |[x, y, w]: [i64; 3]| -> Number<Exact> {
+            let powers = [
+                [3, 0, 0],
+                [2, 1, 0],
+                [1, 2, 0],
+                [0, 3, 0],
+                [2, 0, 1],
+                [1, 1, 1],
+                [0, 2, 1],
+                [1, 0, 2],
+                [0, 1, 2],
+                [0, 0, 3],
+            ];
+            let terms = coefficients.iter().zip(powers);
+            terms.fold(Number::zero(), |sum, (c, [i, j, k])| {
+                sum + c * Number::from(x.pow(i) * y.pow(j) * w.pow(k))
+            })
+        };
+        for (x, y) in [(0, 0), (1, 2), (-3, 5), (4, -7)] {
+            // A second difference of a cubic form around a point is its second derivative.
+            let second = |u: usize, v: usize| {
+                let moved = |s: i64, t: i64| {
+                    let mut at = [x, y, 1];
+                    at[u] += s;
+                    at[v] += t;
+                    form(at)
+                };
+                (moved(1, 1) - moved(1, -1) - moved(-1, 1) + moved(-1, -1)) / 4
+            };
+            let rows: Vec<Vec<Number<Exact>>> = (0..3)
+                .map(|u| (0..3).map(|v| second(u, v)).collect())
+                .collect();
+            let expected = crate::number::linear::determinant(&rows);
+            let found = hessian_on_line(&cubic, &y.into()).evaluate(&x.into());
+            assert!(
+                found.equals(&expected).is_yes(),
+                "({x}, {y}): {found:?}, expected {expected:?}"
+            );
+        }
+    }
 }

@@ -129,3 +129,34 @@ fn direction_of_root<K: Real>(z: &Point<K>, length: &Number<K>) -> Point<K> {
     let size = half.norm().sqrt();
     Number::complex(half.re() / &size, half.im() / size)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Complex;
+
+    #[test]
+    fn directions_of_roots_have_the_square_of_the_argument() {
+        for (x, y) in [
+            (4, 0),
+            (-4, 0),
+            (3, 4),
+            (-3, 4),
+            (-3, -4),
+            (3, -4),
+            (0, 5),
+            (0, -5),
+            (0, 0),
+        ] {
+            let z = Number::<Complex<f64>>::complex(Number::from(x), Number::from(y));
+            let length = z.norm().sqrt();
+            let root = direction_of_root(&z, &length);
+            let square = (&root * &root).scaled(&length);
+            let error = (square - z).norm().0;
+            assert!(
+                error < 1e-28 && (root.norm().0 - 1.0).abs() < 1e-15,
+                "{x} + {y} i: {root:?}"
+            );
+        }
+    }
+}

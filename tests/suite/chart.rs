@@ -11,6 +11,7 @@ use std::process::Command;
 
 use burmester::number::{Ball, Number};
 use burmester::oracle::chart::{Member, grid, header, row};
+use burmester::straight_line::deviation::arc::{End, Limit};
 use burmester::straight_line::deviation::closed::Closed;
 use burmester::straight_line::deviation::floats::{FloatArc, arc};
 
@@ -116,6 +117,45 @@ fn floats_err_by_no_more_than_they_say() {
     assert!(compared > 80, "{compared}");
     // A bound that is never nearly reached says nothing.
     assert!(worst > 1e-3, "{worst:e}");
+}
+
+#[test]
+fn the_least_transmission_angle_is_that_of_all_positions() {
+    const BITS: u32 = 128;
+    let mut compared = 0;
+    for rays in grid(step(15)) {
+        let Ok(member) = Member::of(rays, BITS) else {
+            continue;
+        };
+        let closed = member.arcs.closed();
+        if !matches!(closed.dead_centre(true, BITS), Some(None)) {
+            continue;
+        }
+        let at = |degrees: i64| Limit {
+            degrees: degrees.into(),
+            end: End::Deviation,
+        };
+        let least = closed
+            .least_transmission(&[at(-200), at(90)], BITS)
+            .unwrap();
+        let angle = |degrees| {
+            let position = member.arcs.position(&at(degrees)).unwrap();
+            let [_, angle] = member.arcs.transmission_angles(&position);
+            float(&angle).0
+        };
+        let sampled = (-100..=45).map(|half| angle(2 * half)).fold(90.0, f64::min);
+        let least = float(&least).0;
+        assert!(
+            least <= sampled + 1e-9,
+            "{rays:?}: {least}, sampled {sampled}"
+        );
+        assert!(
+            least >= sampled - 4.0,
+            "{rays:?}: {least}, sampled {sampled}"
+        );
+        compared += 1;
+    }
+    assert!(compared >= 4, "{compared}");
 }
 
 fn made(folder: &Path, threads: &str) -> [Vec<u8>; 2] {

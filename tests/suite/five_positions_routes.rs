@@ -12,11 +12,12 @@ use crate::support::positions::{
     Position, degenerate, numbers, point, points, position, positions, turn, turns,
 };
 use crate::support::seed::rounds;
+use burmester::finite::five_positions::certified::certified;
 use burmester::finite::five_positions::conditions::{of_pair, of_slide};
-use burmester::finite::five_positions::conics::{Isolated, Pairs, pairs};
+use burmester::finite::five_positions::conics::{Isolated, Pair, Pairs, pairs};
 use burmester::finite::five_positions::{circlepoint_curves, loop_closure};
 use burmester::number::univariate::Polynomial;
-use burmester::number::{Complex, Exact, Number, Truth};
+use burmester::number::{Ball, Complex, Exact, Kind, Number, Truth};
 use burmester::plane::displacement::Displacement;
 use burmester::plane::{Point, line, relation};
 use proptest::prelude::*;
@@ -54,6 +55,60 @@ fn proportional(a: &Polynomial<Complex<Exact>>, b: &Polynomial<Complex<Exact>>) 
     let minor = |(i, j)| a.coefficient(i) * b.coefficient(j) - a.coefficient(j) * b.coefficient(i);
     let same = Truth::all(pairs.map(|pair| minor(pair).is_zero()));
     same & Truth::from(!a.is_zero() && !b.is_zero())
+}
+
+/// The same up to a factor, as far as enclosures tell, and as often.
+fn may_be_same<K: Kind>(a: &Pair<K>, b: &Pair<K>) -> bool {
+    let minor = |i: usize, j: usize| &a.coordinates[i] * &b.coordinates[j];
+    let places = (0..7).flat_map(|i| (0..i).map(move |j| (i, j)));
+    let vanish = places.map(|(i, j)| (minor(i, j) - minor(j, i)).is_zero());
+    !Truth::all(vanish).is_no() && a.place == b.place && a.multiplicity == b.multiplicity
+}
+
+fn may_be_all<K: Kind>(found: &[Pair<K>], known: &[Pair<K>], same: Same<K>) -> bool {
+    let among = |one: &Pair<K>, all: &[Pair<K>]| all.iter().any(|other| same(one, other));
+    found.len() == known.len()
+        && found.iter().all(|pair| among(pair, known))
+        && known.iter().all(|pair| among(pair, found))
+}
+
+type Same<K> = fn(&Pair<K>, &Pair<K>) -> bool;
+
+/// Of a couple of conjugate pairs either one may be given.
+fn may_be_same_couple(a: &Pair<Complex<Ball>>, b: &Pair<Complex<Ball>>) -> bool {
+    let conjugate = Pair {
+        coordinates: b.coordinates.each_ref().map(Number::conj),
+        ..b.clone()
+    };
+    may_be_same(a, b) || may_be_same(a, &conjugate)
+}
+
+/// The quick way to enclosures finds what the exact one does, to as many bits as are asked for.
+fn check_certified(five: &Five, bits: u32) -> Result<(), TestCaseError> {
+    let (known, found) = (isolated(five), certified(five, bits));
+    prop_assert_eq!(known.is_some(), found.is_some(), "{} bits", bits);
+    let (Some(known), Some(found)) = (known, found) else {
+        return Ok(());
+    };
+    let [real, complex] = [
+        may_be_all(&found.real, &known.real(bits), may_be_same),
+        may_be_all(&found.complex, &known.complex(bits), may_be_same_couple),
+    ];
+    prop_assert!(
+        real && complex,
+        "real: {}, complex: {}, {} bits",
+        real,
+        complex,
+        bits
+    );
+    let sharp = |x: &Number<Ball>| x.0.accuracy_bits() >= Some(i64::from(bits));
+    let mut coordinates = found.real.iter().flat_map(|pair| &pair.coordinates);
+    prop_assert!(
+        coordinates.all(|x| !x.is_zero().is_no() || sharp(x)),
+        "{:?}",
+        found.real
+    );
+    Ok(())
 }
 
 /// How many comparisons of the circlepoints and of the turns were made, in so many orders.
@@ -110,12 +165,16 @@ proptest! {
     #[test]
     fn the_routes_agree(five in five_positions()) {
         compared(&five, 2)?;
+        check_certified(&five, 100)?;
+        check_certified(&five, 1200)?;
     }
 
     #[test]
     fn they_agree_beside_every_degenerate_kind_of_four(kind in 0..degenerate().len(), fifth in positions()) {
         let [p, q, r, s] = degenerate().swap_remove(kind).positions;
-        compared(&[p, q, r, s, fifth], 2)?;
+        let five = [p, q, r, s, fifth];
+        compared(&five, 2)?;
+        check_certified(&five, 100)?;
     }
 
     #[test]

@@ -637,6 +637,11 @@ const WRONG: &[(&str, &str, &str)] = &[
     ),
     ("max({}) = 1", "max({})", "an argument is missing"),
     (
+        "sin(alpha) if x = 3",
+        "sin(alpha)",
+        "a claim (an equation, a relation) was expected",
+    ),
+    (
         "max(x, alpha) = 1",
         "max(x, alpha)",
         "a number was expected, not an angle",
@@ -710,6 +715,20 @@ fn undefined_operations_have_no_value() {
             }
             other => panic!("{text}: {other:?}, expected no value"),
         }
+    }
+}
+
+#[test]
+fn angles_are_added_and_not_multiplied() {
+    let roots = example::<Surd>(());
+    let sum = evaluate(&readable("30 deg + 60 deg = 90 deg"), &roots).unwrap();
+    assert_eq!(sum.holds, Truth::Yes);
+    for text in ["30 deg * 60 deg = 90 deg", "30 deg/60 deg = 90 deg"] {
+        let found = evaluate(&readable(text), &roots);
+        assert!(
+            !matches!(&found, Ok(outcome) if outcome.holds.is_yes()),
+            "{text}: {found:?}"
+        );
     }
 }
 

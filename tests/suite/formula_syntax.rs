@@ -356,8 +356,18 @@ fn what_is_deep_and_allowed_is_walked_on_a_small_stack() {
         assert_eq!(formula.clone(), formula);
         canonical(&sum);
         assert!(!latex(&formula).is_empty() && !mathml(&formula).is_empty());
-        canonical(&format!("{}x{} = 1", "(".repeat(197), ")".repeat(197)));
-        canonical(&format!("{}x{} = 1", "sin(".repeat(190), ")".repeat(190)));
+        canonical(&format!("{}x{} = 1", "(".repeat(790), ")".repeat(790)));
+        for (open, close, count) in [
+            ("sin(", ")", 398),
+            ("-", "", 398),
+            ("[", "]", 398),
+            ("x - -(y ", ")", 132),
+            ("x^(y ", ")", 198),
+        ] {
+            let (before, after) = (open.repeat(count), close.repeat(count));
+            canonical(&format!("{before}x{after} = 1"));
+        }
+        canonical(&format!("{}x = 1", "not ".repeat(398)));
     };
     std::thread::Builder::new()
         .stack_size(2 << 20)

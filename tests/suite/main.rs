@@ -26,6 +26,7 @@ mod five_positions_routes;
 mod floats;
 mod focal_mechanism;
 mod formula_evaluation;
+mod formula_mutants;
 mod formula_syntax;
 mod four_bar;
 mod four_positions;

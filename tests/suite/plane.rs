@@ -533,3 +533,11 @@ mod displacement {
         assert!(!here.pole(&there).has_value(), "a translation");
     }
 }
+
+#[test]
+fn angles_know_modulo_what_they_are_known() {
+    let tangent = Angle::from_tan(real(1, 2));
+    assert_eq!(tangent.ambiguity(), 2);
+    assert_eq!(Angle::of(point(1, 2)).ambiguity(), 1);
+    assert_eq!(Angle::from_cos_sin(real(3, 5), real(4, 5)).ambiguity(), 1);
+}

@@ -1,5 +1,6 @@
-//! How formulas are set: every example of the grammar and every function, as LaTeX and as MathML, in
-//! `setting.txt`, which people have read. `BURMESTER_WRITE=1` writes it anew.
+//! How formulas are set, every example of the grammar and every function as LaTeX and as MathML, in what
+//! two differ, and what is changed in mutants: all in `setting.txt`, which people have read.
+//! `BURMESTER_WRITE=1` writes it anew.
 #![allow(
     clippy::expect_used,
     clippy::panic,
@@ -9,7 +10,7 @@
 
 use std::fmt::Write;
 
-use burmester::formula::{Function, difference, latex, mathml, normal_form, read};
+use burmester::formula::{Function, difference, latex, mathml, mutants, normal_form, read};
 
 const FILE: &str = "tests/suite/setting.txt";
 
@@ -24,7 +25,10 @@ fn calls() -> impl Iterator<Item = String> {
     const ARGUMENTS: [&str; 4] = ["A", "B", "C", "D"];
     Function::ALL.into_iter().map(|function| {
         let count = (1..=ARGUMENTS.len()).find(|count| function.arity().admits(*count));
-        let arguments = ARGUMENTS[..count.expect("at most four")].join(", ");
+        let arguments = ARGUMENTS
+            .get(..count.expect("at most four"))
+            .expect("as many");
+        let arguments = arguments.join(", ");
         let call = match function {
             Function::Det => "det([[A, B], [C, D]])".to_owned(),
             Function::Similar => "similar([A, B, C], [D, E, F])".to_owned(),
@@ -36,6 +40,42 @@ fn calls() -> impl Iterator<Item = String> {
             format!("{call}^2 = 1/2 x_{{1}}'")
         }
     })
+}
+
+/// What the examples lack: functions beside functions, and powers of e.
+const MORE: [&str; 10] = [
+    "y = sin(alpha) sqrt(x)",
+    "y = sin(alpha sqrt(x))",
+    "y = sin(2 alpha) |x| conj(z)",
+    "y = sin(2 |x| alpha) cos(beta)^2",
+    "y = cos(sin(alpha) x) e^(2 i x)",
+    "z = e^(i x/2) e^(1/2 i x) e^(-i (x + y))",
+    "z = e^(i 2 x) + e^(i (2/3) x)",
+    "x = a^(b + 1) (a + b)^-2 (a/b)^(1/2)",
+    "x = 1.5e12 a_1'' + 2/3 b_{12} - (-c)",
+    "-a : b = c : -d",
+];
+
+/// Every change of one place.
+const MUTATED: [&str; 9] = [
+    "x = -a b + 2 sin(x + a)^2",
+    "a : b = -x : (x + 1)",
+    "x = sum(k a for k in [1, 2]) - a/b",
+    "x ≥ a if a > 0 and b < 1",
+    "x = 0 iff not a ≠ b",
+    "alpha ≡ beta mod pi",
+    "x^2 = a_k for k in {1, 2}",
+    "det([[a, b], [x, 1]]) = min(a, b) + dist(A, B)",
+    "x = e^(i a) conj(b) ± sqrt(3) where a = b/2 assume b > 0",
+];
+
+fn mutated(text: &str) -> String {
+    let formula = read(text).expect("it reads");
+    let names = ["A", "B", "a", "a_1", "a_2", "alpha", "b", "beta", "x"];
+    let lines = mutants(&formula, &names)
+        .into_iter()
+        .map(|mutant| format!("  {}: {}\n", mutant.what, mutant.formula));
+    format!("{text}\n{}\n", lines.collect::<String>())
 }
 
 fn shown(text: &str) -> String {
@@ -86,8 +126,12 @@ const COMPARED: [(&str, &str); 10] = [
 #[test]
 fn formulas_are_set_as_before() {
     let mut text = String::new();
-    for example in examples().map(str::to_owned).chain(calls()) {
+    let more = MORE.map(str::to_owned);
+    for example in examples().map(str::to_owned).chain(more).chain(calls()) {
         text.push_str(&shown(&example));
+    }
+    for example in MUTATED {
+        text.push_str(&mutated(example));
     }
     for (left, right) in COMPARED {
         let _ = write!(text, "{}", compared(left, right));

@@ -11,7 +11,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
 
-use burmester::ledger::{self, Judged, Options, Paper};
+use burmester::ledger::{self, Decided, Judged, Options, Paper};
 use burmester::report::errata;
 use burmester::report::site::site;
 
@@ -45,6 +45,55 @@ fn every_statement_has_its_expected_verdict() {
         }
     }
     assert_eq!(count, 1061);
+}
+
+/// All that is found of a statement beside its verdict, on one line.
+fn known(one: Decided<'_>) -> String {
+    let found = one.judgement;
+    let mut line = format!("{}: {}", one.statement.id, found.proof);
+    let mut add = |name: &str, value: Option<String>| {
+        if let Some(value) = value {
+            line.push_str(&format!("; {name} {value}"));
+        }
+    };
+    add("instances", found.instances.map(|count| count.to_string()));
+    add("samples", found.samples.map(|count| count.to_string()));
+    add(
+        "computed",
+        found.computed.as_ref().map(|value| format!("{value:?}")),
+    );
+    add(
+        "certified",
+        found.certified.as_ref().map(|value| format!("{value:?}")),
+    );
+    add("corrected", found.corrected.clone());
+    for (name, value) in &found.counterexample {
+        add(name, Some(value.clone()));
+    }
+    add("evidence", Some(found.evidence.join(", ")));
+    for finding in &found.findings {
+        add("-", Some(finding.clone()));
+    }
+    line + "\n"
+}
+
+/// How every verdict is known, with all computed values, in `known.txt`, which people have read.
+/// `BURMESTER_WRITE=1` writes it anew.
+#[test]
+fn what_is_known_of_every_statement_stays() {
+    const FILE: &str = "tests/suite/known.txt";
+    let lines: Vec<String> = judged()
+        .iter()
+        .flat_map(|paper| paper.decided().map(known).collect::<Vec<_>>())
+        .collect();
+    if std::env::var("BURMESTER_WRITE").is_ok() {
+        std::fs::write(FILE, lines.concat()).unwrap();
+    }
+    let before = std::fs::read_to_string(FILE).unwrap();
+    for (found, expected) in lines.iter().zip(before.lines()) {
+        assert_eq!(found.trim_end(), expected);
+    }
+    assert_eq!(lines.len(), before.lines().count());
 }
 
 #[test]

@@ -38,11 +38,35 @@ pub fn certified(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<Cert
     }
 }
 
+/// How often the bits of the roots are doubled for coordinates in which terms cancel. One that is zero
+/// for a root that is not rational never gets sharp.
+const DOUBLINGS: u32 = 3;
+
 fn exact(isolated: &Isolated, bits: u32) -> Certified {
-    Certified {
-        real: isolated.real(bits),
-        complex: isolated.complex(bits),
+    let from = |working: u32| Certified {
+        real: isolated.real(working),
+        complex: isolated.complex(working),
+    };
+    let attempts = (0..DOUBLINGS).map(|doublings| from(bits.saturating_mul(1 << doublings)));
+    let sharp = |found: &Certified| found.has_bits(bits);
+    let mut attempts = attempts.skip_while(|found| !sharp(found));
+    attempts
+        .next()
+        .unwrap_or_else(|| from(bits.saturating_mul(1 << DOUBLINGS)))
+}
+
+impl Certified {
+    /// Whether every coordinate is zero or known to so many bits.
+    fn has_bits(&self, bits: u32) -> bool {
+        let real = self.real.iter().flat_map(|pair| &pair.coordinates);
+        let complex = self.complex.iter().flat_map(|pair| &pair.coordinates);
+        let mut parts = real.chain(complex.flat_map(|z| [z.re(), z.im()]));
+        parts.all(|x| x.is_zero().is_yes() || has_bits(x, bits))
     }
+}
+
+fn has_bits(x: &Number<Ball>, bits: u32) -> bool {
+    x.0.accuracy_bits() >= Some(i64::from(bits))
 }
 
 /// Four different pairs, from enclosures on.
@@ -71,7 +95,7 @@ fn by_exact_conics(positions: &[Displacement<Exact>; 5], working: u32) -> Option
 
 /// If they are finite and known to so many bits.
 fn sharp(found: Enclosed, bits: u32) -> Option<Certified> {
-    let is_sharp = |x: &Number<Ball>| x.0.accuracy_bits() >= Some(i64::from(bits));
+    let is_sharp = |x: &Number<Ball>| has_bits(x, bits);
     let real = found.real.into_iter().map(|coordinates| {
         let sharp = coordinates[0].is_zero().is_no() && coordinates.iter().all(is_sharp);
         sharp.then_some(Pair {

@@ -193,12 +193,8 @@ impl Radius {
         let large = u64::from(self.mantissa) << 32;
         let small = u64::from(other.mantissa) << 32;
         let distance = self.exponent - other.exponent;
-        let shifted = if distance < 64 {
-            let kept = small >> distance;
-            kept + u64::from(kept << distance != small)
-        } else {
-            1
-        };
+        // What is cut off lies below the half that is kept in the end, and so does 1.
+        let shifted = if distance < 64 { small >> distance } else { 1 };
         let difference = large - shifted;
         let shift = difference.leading_zeros();
         if shift >= 64 {
@@ -450,6 +446,33 @@ mod tests {
                 assert!(below <= difference && nearly(&below) + lost >= difference);
                 assert_eq!(a.cmp(&b), x.cmp(&y));
                 assert_eq!(b.compare_magnitude(&a.to_float()), x.cmp(&y));
+            }
+        }
+    }
+
+    #[test]
+    fn sums_of_heads_are_bounded_and_not_far() {
+        let heads = [0, 1 << 31, (1 << 31) + 1, u64::from(u32::MAX), 1 << 32];
+        let distances = [0, -1, -7, -39, -40, -90];
+        for [a, b, c] in heads
+            .iter()
+            .flat_map(|a| heads.iter().flat_map(move |b| heads.map(|c| [*a, *b, c])))
+        {
+            for [d, e] in distances.iter().flat_map(|d| distances.map(|e| [*d, e])) {
+                let terms = [(a, 0), (b, d), (c, e)];
+                if a == 0 {
+                    continue;
+                }
+                let exact: Rational = terms
+                    .iter()
+                    .map(|(mantissa, exponent)| Rational::from(*mantissa) << (exponent - 32))
+                    .sum();
+                let bound = Head::sum(terms.map(|(mantissa, exponent)| Head {
+                    mantissa,
+                    exponent: i64::from(exponent),
+                }));
+                let bound = bound.to_rational().unwrap();
+                assert!(bound >= exact && bound <= Rational::from(&exact >> 27) + &exact);
             }
         }
     }

@@ -157,6 +157,30 @@ fn has_equal_sums(first: &Link, second: &Link) -> Truth {
 mod tests {
     use super::*;
 
+    /// A link from (x, 0).
+    fn link(x: i64, circlepoint: [i64; 2]) -> Link {
+        let [u, v] = circlepoint.map(Number::<Surd>::from);
+        Link {
+            circlepoint: Number::complex(u, v),
+            center: Number::complex(x.into(), Number::zero()),
+        }
+    }
+
+    #[test]
+    fn sums_of_two_sides_are_compared_in_every_way() {
+        // Base and coupler, base and first link, base and second link, each alone.
+        let equal = [
+            [link(0, [3, 0]), link(4, [-2, 0])],
+            [link(0, [-1, 0]), link(4, [1, 0])],
+            [link(4, [1, 0]), link(0, [-1, 0])],
+        ];
+        for [first, second] in &equal {
+            assert!(has_equal_sums(first, second).is_yes());
+        }
+        let other = [link(0, [0, 5]), link(4, [4, 2])];
+        assert!(has_equal_sums(&other[0], &other[1]).is_no());
+    }
+
     #[test]
     fn holds_and_the_wrong_variant_is_rejected() {
         let report = run().unwrap();

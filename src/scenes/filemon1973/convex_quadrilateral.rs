@@ -21,8 +21,8 @@ pub const CHECK: Check = Check {
 const INSTANCES: usize = 40;
 
 fn run() -> Result<Report, Unbuilt> {
-    let mut holds = Truth::Yes;
-    let mut wrong_variant = Truth::Yes;
+    let mut holds = Vec::new();
+    let mut wrong_variant = Vec::new();
     let mut seen = Vec::new();
     for quadrilateral in quadrilaterals().take(INSTANCES) {
         let quadrilateral = quadrilateral?;
@@ -37,17 +37,17 @@ fn run() -> Result<Report, Unbuilt> {
         let shapes = all.each_ref().map(shape);
         let mut sorted = shapes;
         sorted.sort_unstable();
-        holds = holds
-            & Truth::from(sorted == [Shape::Convex, Shape::Concave, Shape::Crossed].map(Some))
-            & have_one_curve(&all)?;
-        wrong_variant = wrong_variant & Truth::from(shapes[0] == Some(Shape::Convex));
+        let one_of_each = sorted == [Shape::Convex, Shape::Concave, Shape::Crossed].map(Some);
+        holds.extend([one_of_each.into(), have_one_curve(&all)?]);
+        wrong_variant.push(Truth::from(shapes[0] == Some(Shape::Convex)));
         seen.push(shapes[0]);
     }
     seen.sort_unstable();
     seen.dedup();
+    holds.push(Truth::from(seen.len() == 3));
     Ok(Report {
-        holds: holds & Truth::from(seen.len() == 3),
-        wrong_variant,
+        holds: Truth::all(holds),
+        wrong_variant: Truth::all(wrong_variant),
         basis: Basis::Instances,
         instances: INSTANCES,
         exception: None,
@@ -57,7 +57,7 @@ fn run() -> Result<Report, Unbuilt> {
 fn have_one_curve(quadrilaterals: &[[Point<Exact>; 4]; 3]) -> Result<Truth, Unbuilt> {
     let [first, second, third] = quadrilaterals.each_ref().map(centerpoint_curve);
     let first = first?;
-    Ok(first.equals(&second?) & first.equals(&third?))
+    Ok(Truth::all([first.equals(&second?), first.equals(&third?)]))
 }
 
 #[cfg(test)]

@@ -93,7 +93,11 @@ fn exceptional_point() -> Result<Truth, Unbuilt> {
         .finite()
         .ok_or_else(|| Unbuilt::Contradiction("Ball's point is finite".to_owned()))?;
     let [_, second, third, fourth] = terms_across(&invariants.motion(), &point);
-    Ok(second.is_zero() & third.is_zero() & !fourth.is_zero())
+    Ok(Truth::all([
+        second.is_zero(),
+        third.is_zero(),
+        !fourth.is_zero(),
+    ]))
 }
 
 fn run_stationary() -> Result<Report, Unbuilt> {

@@ -134,4 +134,12 @@ mod tests {
         assert_eq!(report.holds, Truth::Yes);
         assert_eq!(report.wrong_variant, Truth::No);
     }
+
+    #[test]
+    fn an_interval_covers_what_lies_within() {
+        let interval = |low: i64, high: i64| [low, high].map(Number::<Ball>::from);
+        assert!(covers(&interval(-5, 7), &interval(-4, 6)).is_yes());
+        assert!(covers(&interval(-5, 7), &interval(-6, 6)).is_no());
+        assert!(covers(&interval(-5, 7), &interval(-4, 8)).is_no());
+    }
 }

@@ -146,3 +146,26 @@ pub fn between_lines<K: Real>(x: &Number<K>, y: &Number<K>) -> Option<Number<K>>
         (_, None) => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Exact;
+
+    #[test]
+    fn angles_are_followed_past_a_turn() {
+        for (angle, near, expected) in [
+            (-170, 170, 190),
+            (170, -170, -190),
+            (10, 700, 730),
+            (5, -700, -715),
+            (30, 20, 30),
+        ] {
+            let found = followed::<Exact>(angle.into(), &near.into()).unwrap();
+            assert!(
+                found.equals(&expected.into()).is_yes(),
+                "{angle} near {near}: {found:?}"
+            );
+        }
+    }
+}

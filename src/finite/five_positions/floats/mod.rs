@@ -247,4 +247,18 @@ mod tests {
             );
         }
     }
+
+    #[test]
+    fn both_ways_find_the_pairs_of_most_problems() {
+        let problems = problems(300);
+        let quickly = problems
+            .iter()
+            .filter(|five| accepted(&quick::solve(&problem(five))).is_some());
+        let carefully = problems
+            .iter()
+            .filter(|five| careful::pairs(five).is_some());
+        let [quickly, carefully] = [quickly.count(), carefully.count()];
+        assert!(quickly >= 295, "quickly: {quickly} of 300");
+        assert_eq!(carefully, 300);
+    }
 }

@@ -296,8 +296,10 @@ impl Side<'_> {
 mod tests {
     use super::*;
     use crate::linkage::cognates::CouplerPoint;
+    use crate::number::Ball;
     use crate::straight_line::design::Design;
     use crate::straight_line::deviation::driven::Driven;
+    use rug::Rational;
 
     pub(super) fn z(x: f64, y: f64) -> Number<Complex<f64>> {
         Number::complex(Number(x), Number(y))
@@ -371,5 +373,40 @@ mod tests {
         }
         let [length, error] = arc.length();
         assert!(length > 0.0 && error < 1e-12);
+    }
+
+    /// Balls of as many bits carry their errors along by themselves.
+    #[test]
+    fn the_error_of_a_place_is_about_that_of_balls() {
+        let exact = |x: f64| Number::<Ball>::rounded(&Rational::from_f64(x).unwrap(), &53);
+        let mut ratios = Vec::new();
+        for driven in linkages() {
+            let closed = driven.closed();
+            let enclosed = closed.map(|x| exact(x.0));
+            let side = Side {
+                closed: &closed,
+                bound: 1.0,
+                sign: 1.0,
+            };
+            for step in -20..=20 {
+                let at = f64::from(step) * 0.02;
+                let sample = side.sample(at);
+                let angle = exact(at);
+                let turn = Number::complex(angle.clone().cos(), angle.sin());
+                let place = enclosed.place(&turn);
+                let ends = [&place.u, &place.v].map(|x| Some((x.0.lower()?, x.0.upper()?)));
+                let [Some(u), Some(v)] = ends else { continue };
+                let radius = [u, v].map(|(low, high)| (high - low).to_f64() / 2.0);
+                ratios.push(side.error_of_place(&sample, false) / radius[0].max(radius[1]));
+            }
+        }
+        ratios.sort_by(f64::total_cmp);
+        let [least, greatest] = [ratios[0], ratios[ratios.len() - 1]];
+        assert!(
+            least > 4.0 && greatest < 16.0,
+            "{least} to {greatest} of {}",
+            ratios.len()
+        );
+        assert!(ratios.len() > 100, "{}", ratios.len());
     }
 }
