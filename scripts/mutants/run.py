@@ -11,8 +11,8 @@ import tempfile
 import threading
 import time
 
-# They read the source itself, or build, or are the slow part of the tests.
-NOT_RUN = {"architecture", "dependencies", "examples", "fuzzed", "robustness", "schemas", "stretches", "certificates"}
+# They read the source itself, or build.
+NOT_RUN = {"architecture", "dependencies", "examples", "fuzzed", "robustness", "schemas"}
 MEMORY = 6 << 30
 
 

@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let part = table.with_extension("csv.part");
     let header = header(arguments.step);
     let mut rows = resumed(&part, &header).map_err(failed(&part))?;
-    let (new, searches) = computed(arguments, &rows, &part)?;
+    let (new, [ends, searches]) = computed(arguments, &rows, &part)?;
     rows.extend(new);
     let mut text = header;
     for row in rows.values() {
@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     write_whole(&picture, &drawn).map_err(failed(&picture))?;
     fs::remove_file(&part).map_err(failed(&part))?;
     print(&format!(
-        "{}: {} rows\n{}\nends of arcs that took a search of all angles: {searches}\n",
+        "{}: {} rows\n{}\nends of arcs that intervals of machine floats left open: {searches} of {ends}\n",
         table.display(),
         rows.len(),
         picture.display()
@@ -98,8 +98,13 @@ fn rays(line: &str) -> Option<Rays> {
     Some([columns.next()?.parse().ok()?, columns.next()?.parse().ok()?])
 }
 
-/// The rows that are missing, each written down as soon as it is there.
-fn computed(arguments: &Arguments, known: &Rows, part: &Path) -> Result<(Rows, usize), Failure> {
+/// The rows that are missing, each written down as soon as it is there; how many ends their arcs have, and
+/// how many of these took a search.
+fn computed(
+    arguments: &Arguments,
+    known: &Rows,
+    part: &Path,
+) -> Result<(Rows, [usize; 2]), Failure> {
     let missing: Vec<Rays> = grid(arguments.step)
         .into_iter()
         .filter(|rays| !known.contains_key(rays))
@@ -107,10 +112,11 @@ fn computed(arguments: &Arguments, known: &Rows, part: &Path) -> Result<(Rows, u
     let beside = File::options().append(true).open(part);
     let beside = beside.map_err(|error| Failure::wrong(format!("{}: {error}", part.display())))?;
     let beside = Mutex::new(beside);
-    let searches = AtomicUsize::new(0);
+    let [ends, searches] = [AtomicUsize::new(0), AtomicUsize::new(0)];
     let progress = Progress::of(missing.len(), "linkages");
     let one = |rays: &Rays| -> io::Result<(Rays, String)> {
         let row = row(*rays);
+        ends.fetch_add(row.ends, Ordering::Relaxed);
         searches.fetch_add(row.searches, Ordering::Relaxed);
         let mut file = beside
             .lock()
@@ -125,5 +131,5 @@ fn computed(arguments: &Arguments, known: &Rows, part: &Path) -> Result<(Rows, u
         .map_err(|error| Failure::wrong(error.to_string()))?;
     let rows: io::Result<Rows> = pool.install(|| missing.par_iter().map(one).collect());
     let rows = rows.map_err(|error| Failure::wrong(format!("{}: {error}", part.display())))?;
-    Ok((rows, searches.into_inner()))
+    Ok((rows, [ends.into_inner(), searches.into_inner()]))
 }

@@ -267,3 +267,23 @@ fn equation(left: &Formula, right: &Formula) -> Option<Formula> {
         assumptions: Vec::new(),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Turns, angles and numbers.
+    #[test]
+    fn angles_are_in_degrees() {
+        for (text, expected) in [("30 deg + 60 deg", 90), ("arccos(0)", 90), ("180/2", 90)] {
+            let bindings = Bindings::<Ball>::new(128);
+            let formula = read(text).unwrap();
+            let found = ball_of(&formula, &bindings).unwrap();
+            let [low, high] = [found.lower().unwrap(), found.upper().unwrap()];
+            assert!(
+                low <= expected && expected <= high && high - low < Rational::from((1, 1000)),
+                "{text}"
+            );
+        }
+    }
+}

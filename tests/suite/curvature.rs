@@ -21,7 +21,7 @@ use burmester::curvature::osculation::{
 };
 use burmester::curvature::slider_crank::{Alternates, SliderCrank};
 use burmester::finite::five_positions::conics::{Isolated, Pairs, Place};
-use burmester::number::{Ball, Exact, Number, Surd};
+use burmester::number::{Ball, Complex, Exact, Number, Surd};
 use burmester::plane::{Angle, Point};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -314,6 +314,74 @@ fn special_values_have_an_answer() {
             "k = {k}"
         );
     }
+}
+
+/// The other Burmester points by the form of the motion that the crank and the slider make.
+#[test]
+fn alternates_of_a_slider_crank_are_on_rays_of_its_motion() {
+    const BITS: u32 = 200;
+    let mut found = [0, 0];
+    let numbers = [-5, -3, -2, 2, 3, 5];
+    let triples = numbers.into_iter().flat_map(|k| {
+        let tangents = [[1, 2], [3, 1], [-1, 3], [1, -2], [2, 3], [-3, 2]];
+        tangents.map(|[a, d]| [k, a, d])
+    });
+    for [k, tan_a, tan_d] in triples {
+        let number = |n: i64| Number::<Ball>::rounded(&n.into(), &BITS);
+        let linkage = SliderCrank {
+            k: number(k),
+            alpha_a: Angle::from_tan(number(tan_a)),
+            alpha_d: Angle::from_tan(number(tan_d)),
+        };
+        let [ray_a, ray_d] = [&linkage.alpha_a, &linkage.alpha_d].map(Angle::cis);
+        let guides = [
+            Guide::Circle {
+                point: ray_a.scaled(&linkage.pa().value()),
+                center: ray_a.scaled(&linkage.po_a()),
+            },
+            Guide::Line {
+                point: ray_d.scaled(&linkage.pd()),
+                normal: ray_d,
+            },
+        ];
+        let motion = closure::motion(&guides, 5).unwrap();
+        let form = Canonical::of(&motion).unwrap().invariants.burmester_rays();
+        let vanishes = |c: Number<Ball>, s: Number<Ball>, i: Number<Ball>| {
+            let s = Number::complex(s, i);
+            let terms = form
+                .iter()
+                .enumerate()
+                .map(|(j, a)| s.power(j as i32).scaled(&(a * c.power(4 - j as i32))));
+            let sum = terms.sum::<Number<Complex<Ball>>>();
+            assert!(!sum.is_zero().is_no(), "{k}, {tan_a}, {tan_d}: {sum:?}");
+            let known = sum.re().0.accuracy_bits().is_none_or(|bits| bits < 0);
+            assert!(known || sum.re().abs().0.upper().unwrap() < Rational::from((1, 1_000_000)));
+        };
+        match linkage.alternates() {
+            Alternates::Real(pairs) => {
+                found[0] += 1;
+                for pair in *pairs {
+                    vanishes(pair.ray.cos(), pair.ray.sin(), number(0));
+                }
+            }
+            Alternates::Complex(tangents) => {
+                found[1] += 1;
+                for tangent in tangents {
+                    vanishes(number(1), tangent.re().clone(), tangent.im().clone());
+                }
+            }
+            other => panic!("{other:?}"),
+        }
+        let fifth = linkage.infinitely_near();
+        let [a, d] = [&linkage.alpha_a, &linkage.alpha_d];
+        let k_sin = &linkage.k * (a.sin() * d.cos() - d.sin() * a.cos());
+        let [weighted, by_k] = [&fifth.weighted_eta * &linkage.k, &fifth.k_eta * k_sin];
+        assert!(
+            !(weighted - by_k).is_zero().is_no(),
+            "{k}, {tan_a}, {tan_d}"
+        );
+    }
+    assert!(found.iter().all(|&count| count > 0), "{found:?}");
 }
 
 /// A and D on one ray: the crank is across the path of the slider, which is a change point.

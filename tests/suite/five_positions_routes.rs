@@ -111,6 +111,39 @@ fn check_certified(five: &Five, bits: u32) -> Result<(), TestCaseError> {
     Ok(())
 }
 
+/// The origin lies so near to a center that most digits of its coordinates cancel.
+#[test]
+fn certified_pairs_have_the_bits_asked_for() {
+    let placed = |x: i64, y: i64, p: i64, q: i64| {
+        let point = |x: i64, y: i64| Point::<Exact>::complex(x.into(), y.into());
+        let turn = point(p, q);
+        let rotation = turn.square().scaled(&turn.norm().inverse());
+        Displacement {
+            rotation,
+            translation: point(x, y),
+        }
+    };
+    let five = [
+        placed(0, 0, 1, 0),
+        placed(3, 1, 5, 1),
+        placed(5, 1, 3, 1),
+        placed(6, -1, 3, 2),
+        placed(5, -4, 1, 1),
+    ];
+    let center = {
+        let found = certified(&five, 400).expect("there are pairs");
+        let [h, _, _, cx, cy, ..] = &found.real.first().expect("some are real").coordinates;
+        [cx / h, cy / h].map(|x| Number::<Exact>::from(x.0.midpoint_rational().expect("finite")))
+    };
+    let [x, y] = center;
+    let near = Number::complex(x, y);
+    let five = five.map(|position| Displacement {
+        translation: position.translation - &near,
+        ..position
+    });
+    check_certified(&five, 100).expect("it has the bits");
+}
+
 /// How many comparisons of the circlepoints and of the turns were made, in so many orders.
 fn compared(five: &Five, orders: usize) -> Result<[usize; 2], TestCaseError> {
     let mut made = [0, 0];

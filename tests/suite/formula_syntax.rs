@@ -368,6 +368,7 @@ fn what_is_deep_and_allowed_is_walked_on_a_small_stack() {
             canonical(&format!("{before}x{after} = 1"));
         }
         canonical(&format!("{}x = 1", "not ".repeat(398)));
+        canonical(&format!("x^2 = y for x in {{1{}}}", ", y".repeat(2_000)));
     };
     std::thread::Builder::new()
         .stack_size(2 << 20)

@@ -43,7 +43,7 @@ fn calls() -> impl Iterator<Item = String> {
 }
 
 /// What the examples lack: functions beside functions, and powers of e.
-const MORE: [&str; 10] = [
+const MORE: [&str; 11] = [
     "y = sin(alpha) sqrt(x)",
     "y = sin(alpha sqrt(x))",
     "y = sin(2 alpha) |x| conj(z)",
@@ -54,13 +54,15 @@ const MORE: [&str; 10] = [
     "x = a^(b + 1) (a + b)^-2 (a/b)^(1/2)",
     "x = 1.5e12 a_1'' + 2/3 b_{12} - (-c)",
     "-a : b = c : -d",
+    "x = a^(-b) a^(-2 b) a^(-(b + c))",
 ];
 
 /// Every change of one place.
-const MUTATED: [&str; 9] = [
+const MUTATED: [&str; 10] = [
     "x = -a b + 2 sin(x + a)^2",
     "a : b = -x : (x + 1)",
     "x = sum(k a for k in [1, 2]) - a/b",
+    "x = sum(a_k for k in [1, 2])",
     "x ≥ a if a > 0 and b < 1",
     "x = 0 iff not a ≠ b",
     "alpha ≡ beta mod pi",

@@ -61,6 +61,7 @@ pub fn report(run: &Run<'_>) -> String {
     }
     let mut text = table(&rows);
     text += &format!("\n{LEGEND}");
+    text += &compared(&run.cases);
     let worst = run.worst();
     if !worst.is_empty() {
         let head = format!(
@@ -83,6 +84,25 @@ pub fn report(run: &Run<'_>) -> String {
         }
     }
     text
+}
+
+/// How the solutions were compared.
+fn compared(cases: &[Case]) -> String {
+    let comparisons = cases.iter().filter_map(|case| match &case.outcome {
+        Outcome::Scored(verdict) => Some(verdict.comparisons),
+        _ => None,
+    });
+    let [mut made, mut exact] = [0, 0];
+    for one in comparisons {
+        made += one.made;
+        exact += one.exact;
+    }
+    match made {
+        0 => String::new(),
+        _ => {
+            format!("{made} pairs of solutions were compared, {exact} of them in exact numbers.\n")
+        }
+    }
 }
 
 /// Cases that are wrong in the same way: the first of them and their number.

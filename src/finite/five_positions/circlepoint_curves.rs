@@ -94,3 +94,38 @@ fn on_line(curve: &Cubic<Exact>, [a, b]: [i64; 2], u: i64) -> Poly {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plane::Point;
+    use proptest::prelude::*;
+
+    fn point() -> impl Strategy<Value = Point<Exact>> {
+        (-9_i64..9, -9_i64..9).prop_map(|(x, y)| Point::complex(x.into(), y.into()))
+    }
+
+    proptest! {
+        /// The image of the pole in both positions is the same, at infinity the direction across the way.
+        #[test]
+        fn poles_in_the_moving_plane_do_not_move(
+            turns in (point(), point()), shifts in (point(), point()), is_parallel: bool,
+        ) {
+            let rotation = |z: &Point<Exact>| z.square().scaled(&z.norm().inverse());
+            let second_turn = if is_parallel { &turns.0 } else { &turns.1 };
+            let first = Displacement { rotation: rotation(&turns.0), translation: shifts.0 };
+            let second = Displacement { rotation: rotation(second_turn), translation: shifts.1 };
+            prop_assume!(first.rotation.has_value() && second.rotation.has_value());
+            let [x, y, w] = pole_in_moving_plane(&first, &second).coordinates().clone();
+            let pole = Number::complex(x, y);
+            if w.is_zero().is_yes() {
+                let way = &second.translation - &first.translation;
+                let across = &first.rotation * pole * way.conj();
+                prop_assert!(across.re().is_zero().is_yes());
+            } else {
+                let pole = pole.scaled(&w.inverse());
+                prop_assert!((first.of(&pole) - second.of(&pole)).is_zero().is_yes());
+            }
+        }
+    }
+}

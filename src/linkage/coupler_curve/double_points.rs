@@ -270,4 +270,23 @@ mod tests {
         let sign = curve.discriminant_in_first_pivot().sign();
         assert_eq!(sign, (xy.square() - xx * yy).sign());
     }
+
+    /// Where it would cross and does not: a cusp, or a change point of a linkage in one line.
+    #[test]
+    fn a_point_of_the_line_of_the_pins_has_no_cusp() {
+        let at = |x: i64, y: i64| Point::<Exact>::complex(n(x), n(y));
+        let curve = |arms: [Point<Exact>; 2]| CouplerCurve {
+            pivots: [at(0, 0), at(4, 0)],
+            arms,
+            cranks: [n(1), n(4)],
+        };
+        for (arms, expected) in [
+            ([at(1, 2), at(2, 4)], Crossing::ChangePoint),
+            ([at(1, 2), at(-3, -6)], Crossing::ChangePoint),
+            ([at(1, 2), at(2, -4)], Crossing::Cusp),
+            ([at(3, 0), at(0, 1)], Crossing::Cusp),
+        ] {
+            assert_eq!(curve(arms).crossing(Ordering::Equal), Some(expected));
+        }
+    }
 }

@@ -131,3 +131,34 @@ fn lesser<K: Real>(x: &Number<K>, y: &Number<K>) -> Number<K> {
         None => (x + y - (x - y).abs()) / 2,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Ball;
+    use rug::Rational;
+
+    /// About 2 and 2.1, of which it cannot be told which is the greater.
+    #[test]
+    fn what_cannot_be_ordered_is_enclosed_by_both() {
+        let ball = |p: i32, q: i32, radius: (i32, i32)| {
+            Number(Ball::with_radius(
+                &Rational::from((p, q)),
+                &Rational::from(radius),
+                100,
+            ))
+        };
+        let [x, y] = [ball(2, 1, (1, 2)), ball(21, 10, (1, 4))];
+        for (order, ends) in [
+            (greater(&x, &y), [(185, 100), (25, 10)]),
+            (lesser(&x, &y), [(15, 10), (235, 100)]),
+        ] {
+            let [low, high] = ends.map(Rational::from);
+            let (lower, upper) = (order.0.lower().unwrap(), order.0.upper().unwrap());
+            assert!(lower <= low && upper >= high, "{order:?}");
+            assert!(upper - lower < 2, "{order:?}");
+        }
+        let three = ball(3, 1, (1, 9));
+        assert!(greater(&x, &three).compare(&lesser(&three, &x)).is_some());
+    }
+}

@@ -9,6 +9,7 @@ use super::compare::{self, Closeness};
 use super::family::Family;
 use super::matching;
 use super::number::Known;
+use super::outline::Outline;
 use super::read::{Member, Misread, Part, Source, Stated, Statements, read};
 use super::shape::{self, Shape};
 use crate::number::text::parse_rational;
@@ -82,6 +83,15 @@ pub struct Line {
     pub nearest: Option<f64>,
 }
 
+/// How often solutions without an order were compared, and in how many cases exact numbers had to decide.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Comparisons {
+    /// All of them.
+    pub made: usize,
+    /// Those that intervals of machine floats did not decide.
+    pub exact: usize,
+}
+
 /// The verdict on one answer.
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
@@ -91,6 +101,8 @@ pub struct Verdict {
     pub degenerate: Option<bool>,
     /// Whether the candidate stated anything that is scored.
     pub stated: bool,
+    /// How its solutions were compared.
+    pub comparisons: Comparisons,
 }
 
 impl Verdict {
@@ -325,15 +337,7 @@ impl Judge<'_> {
             .iter()
             .flat_map(|member| std::iter::repeat_n((member, false), member.multiplicity - 1));
         let rows: Vec<(&Member, bool)> = once.chain(again).collect();
-        let distances: Vec<Vec<Option<Rational>>> = rows
-            .iter()
-            .map(|(member, _)| {
-                let given = given.iter();
-                given
-                    .map(|given| compare::member_error(member, given, &self.reference.scale))
-                    .collect()
-            })
-            .collect();
+        let distances = self.distances(&rows, given);
         let error = |row: usize, column: usize| {
             let (member, _) = rows.get(row)?;
             let tolerance = self.reference.tolerance_of(member.multiplicity);
@@ -377,11 +381,42 @@ impl Judge<'_> {
                 if self.is_of_family(place, member) {
                     self.line(place, Mark::OfFamily, None, Some(text), None);
                 } else {
-                    let distances = distances.iter().filter_map(|row| row.get(column)?.as_ref());
-                    self.invented(place, text, distances.min());
+                    let scale = &self.reference.scale;
+                    let distances = certified.iter();
+                    let distances =
+                        distances.filter_map(|other| compare::member_error(other, member, scale));
+                    self.invented(place, text, distances.min().as_ref());
                 }
             }
         }
+    }
+
+    /// The relative errors of all given ones; none of those that floats prove to be too far away.
+    fn distances(
+        &mut self,
+        rows: &[(&Member, bool)],
+        given: &[Member],
+    ) -> Vec<Vec<Option<Rational>>> {
+        let Reference { scale, .. } = self.reference;
+        let comparisons = &mut self.verdict.comparisons;
+        let given: Vec<(&Member, Outline)> = given
+            .iter()
+            .map(|member| (member, Outline::of(member)))
+            .collect();
+        let of_row = |(member, _): &(&Member, bool)| {
+            let outline = Outline::of(member);
+            let allowed = self.reference.tolerance_of(member.multiplicity);
+            let of_column = |(other, its): &(&Member, Outline)| {
+                comparisons.made += 1;
+                if outline.is_far_from(its, scale, &allowed) {
+                    return None;
+                }
+                comparisons.exact += 1;
+                compare::member_error(member, other, scale)
+            };
+            given.iter().map(of_column).collect()
+        };
+        rows.iter().map(of_row).collect()
     }
 
     /// What two that are the same say beside that.

@@ -72,32 +72,39 @@ pub fn header(step: u32) -> String {
 pub struct Row {
     /// The row, without its end.
     pub text: String,
-    /// How many ends of its arc the quick way has not found.
+    /// How many ends its arc has: two, or none where there is no linkage.
+    pub ends: usize,
+    /// How many of them took a search of all angles.
     pub searches: usize,
 }
 
 /// The row of a point of the grid, with more bits until all its digits are certain.
 pub fn row([a, b]: Rays) -> Row {
     let mut bits = BITS[0];
-    let (rest, searches) = loop {
+    let (rest, ends, searches) = loop {
         match Member::of([a, b], bits) {
             Err(reason) if reason != NoDesign::Undecided => {
-                break (format!("{}\"{reason}\"", ",".repeat(11)), 0);
+                break (format!("{}\"{reason}\"", ",".repeat(11)), 0, 0);
             }
             Ok(member) => {
                 if let Some(rest) = member.written() {
-                    break (rest, member.arcs.searches());
+                    break (rest, 2, member.arcs.searches());
                 }
             }
             Err(_) => {}
         }
         if bits >= BITS[1] {
-            break (format!("{}\"{}\"", ",".repeat(11), NoDesign::Undecided), 0);
+            break (
+                format!("{}\"{}\"", ",".repeat(11), NoDesign::Undecided),
+                0,
+                0,
+            );
         }
         bits *= 2;
     };
     Row {
         text: format!("{a},{b},{rest}"),
+        ends,
         searches,
     }
 }
