@@ -59,6 +59,6 @@ def programs(folder):
     """The paths of the test programs: the suite, and the tests beside the code."""
     status, found, err = messages(folder, ["test", "--no-run", "--lib", "--test", "suite", *PROFILE])
     if status:
-        raise SystemExit("the tests do not compile:\n" + err[-3000:])
+        raise SystemExit("the tests do not compile:\n" + (rendered(found) or err)[-3000:])
     tests = [m for m in found if m["reason"] == "compiler-artifact" and m["profile"]["test"]]
     return [message["executable"] for message in tests if message["executable"]]
