@@ -26,15 +26,24 @@ class Unbuilt(Exception):
 
 def runner():
     """The path of benches/peers.rs as built."""
-    command = ["cargo", "build", "--release", "--bench", "peers", "--message-format=json-render-diagnostics"]
+    return built("--bench", "peers")
+
+
+def command():
+    """The path of the command as built."""
+    return built("--bin", "burmester")
+
+
+def built(kind, name):
+    command = ["cargo", "build", "--release", kind, name, "--message-format=json-render-diagnostics"]
     if shutil.which("cargo") is None:
         raise Unbuilt("cargo is missing")
-    built = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
-    for line in built.stdout.splitlines():
+    done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    for line in done.stdout.splitlines():
         message = json.loads(line)
-        if message.get("executable") and message.get("target", {}).get("name") == "peers":
+        if message.get("executable") and message.get("target", {}).get("name") == name:
             return pathlib.Path(message["executable"])
-    raise Unbuilt(f"cargo build ended with status {built.returncode}")
+    raise Unbuilt(f"cargo build ended with status {done.returncode}")
 
 
 def gmp_of(program):

@@ -1,4 +1,4 @@
-"""How the cost of ours and of the kernels grows: digits of certified five positions, problems in doubles.
+"""How the cost grows: digits of certified five positions, problems in doubles (ours and the kernels), the chart's grid.
 
 Each series is measured in one run, the programs alternately. Beside the times stands the exponent of the power law
 through the last decade, by least squares of the logarithms, and what is expected.
@@ -7,15 +7,19 @@ through the last decade, by least squares of the logarithms, and what is expecte
 import json
 import math
 import pathlib
+import resource
 import subprocess
 import sys
+import tempfile
 
 from . import build, problems
 
 DIGITS = [100, 300, 1000, 3000, 10_000, 30_000, 100_000]
 # Different ones; a longer file repeats them.
 DIFFERENT = 500
-MANY = [1, 10, 100, 1000, 10_000, 100_000]
+MANY = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000]
+# Degrees between neighbours of the chart, whose linkages are counted.
+STEPS = [45, 30, 15, 10, 5, 3, 2, 1]
 ROUNDS = 3
 
 
@@ -25,14 +29,16 @@ def run(chosen):
     programs = {"ours": build.runner()}
     about = surroundings(programs["ours"], chosen)
     series = [
-        {"what": "five positions, certified: seconds of a problem by digits", "kernel": "five_positions_arb.c",
+        {"what": "Five positions, certified: time of a problem", "across": "digits", "kernel": "five_positions_arb.c",
          "cases": [(n, f"five-{n}", 2, "pairs") for n in DIGITS[: 4 if chosen.quick else None]],
-         "expected": "1, and a little for the logarithm: the multiplication of long numbers by FFT"},
-        {"what": "five positions in doubles: seconds of all problems by their number", "kernel": "five_positions_f64.cpp",
-         "cases": [(n, "five-f64", n, "many") for n in MANY[: 4 if chosen.quick else None]], "expected": "1"},
+         "exponent": 1, "expected": "1, and a little for the logarithm: the multiplication of long numbers by FFT"},
+        {"what": "Five positions in doubles: time of all problems", "across": "problems", "kernel": "five_positions_f64.cpp",
+         "cases": [(n, "five-f64", n, "many") for n in MANY[: 4 if chosen.quick else None]], "exponent": 1, "expected": "1"},
+        {"what": "Chart: time of all linkages on one processor", "across": "linkages", "cases": STEPS[: 4 if chosen.quick else None],
+         "exponent": 1, "expected": "1"},
     ]
     for one in series:
-        one["measured"] = measured(one, programs, chosen)
+        one["measured"] = measured(one, programs, chosen) if "kernel" in one else charts(one["cases"])
         del one["cases"]
         print(f"\n{one['what']}; expected exponent {one['expected']}\n")
         for name, points in one["measured"].items():
@@ -64,6 +70,22 @@ def measured(series, programs, chosen):
         for name, seconds in best.items():
             points[name].append((size, seconds * (count if task == "many" else 1)))
     return found | {name: {"points": at, "exponent": exponent(at)} for name, at in points.items()}
+
+
+def charts(steps):
+    """Of the whole command, by the linkages of its table."""
+    command, points = build.command(), []
+    for step in steps:
+        best, rows = math.inf, 0
+        for _ in range(ROUNDS if step > 5 else 1):
+            with tempfile.TemporaryDirectory() as folder:
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                subprocess.run([command, "chart", "--step", str(step), "--threads", "1", "-o", folder], check=True, stdout=subprocess.DEVNULL)
+                best = min(best, resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before)
+                table = next(pathlib.Path(folder).glob("*.csv")).read_text().splitlines()
+            rows = sum(not line.startswith("#") for line in table) - 1
+        points.append((rows, best))
+    return {"ours": {"points": points, "exponent": exponent(points)}}
 
 
 def seconds_of(command, task):

@@ -8,8 +8,8 @@
 use super::motion::Motion;
 use crate::finite::five_positions::conditions;
 use crate::finite::five_positions::conics::{Pairs, pairs_of};
-use crate::finite::five_positions::krawczyk::{Conditions, Matrix, Vector, gradient};
-use crate::number::{Ball, Exact, Kind, Number, Series};
+use crate::finite::five_positions::krawczyk::{Conditions, Enclosed, Matrix, Vector, gradient};
+use crate::number::{Ball, Exact, Interval, Kind, Number, Series};
 use crate::plane::displacement::Displacement;
 
 /// Motions about positions that are apart.
@@ -57,25 +57,18 @@ fn size<K: Kind>(motion: &Motion<K>) -> usize {
 }
 
 /// The coefficients of |D(t)z − M|², without the radius.
-impl Conditions for Groups<Ball> {
-    fn rounded(&self, bits: u32) -> Self {
-        let short = |x: &Number<Series<Ball>>| x.map(|a| Number(a.0.with_precision(bits)));
-        Groups(self.0.iter().map(|motion| motion.map(short)).collect())
-    }
-
-    fn values(&self, [x, y, u, v]: &Vector) -> Vector {
-        let [z, m] = [[x, y], [u, v]].map(|[x, y]| {
-            Number::complex(Number::<Series<Ball>>::from(x.clone()), y.clone().into())
-        });
+impl<K: Kind> Conditions<K> for Groups<K> {
+    fn values(&self, [x, y, u, v]: &Vector<K>) -> Vector<K> {
+        let [z, m] = [[x, y], [u, v]]
+            .map(|[x, y]| Number::complex(Number::<Series<K>>::from(x.clone()), y.clone().into()));
         let squares = self.0.iter().map(|motion| [(motion.of(&z) - &m).norm()]);
         let [values] = terms(self, squares);
         values
     }
 
-    fn derivative(&self, [x, y, u, v]: &Vector) -> Matrix {
-        let [z, m] = [[x, y], [u, v]].map(|[x, y]| {
-            Number::complex(Number::<Series<Ball>>::from(x.clone()), y.clone().into())
-        });
+    fn derivative(&self, [x, y, u, v]: &Vector<K>) -> Matrix<K> {
+        let [z, m] = [[x, y], [u, v]]
+            .map(|[x, y]| Number::complex(Number::<Series<K>>::from(x.clone()), y.clone().into()));
         let gradients = self.0.iter().map(|motion| gradient(motion, &z, &m));
         let columns = terms(self, gradients);
         #[expect(clippy::indexing_slicing, reason = "four rows of four columns")]
@@ -83,12 +76,26 @@ impl Conditions for Groups<Ball> {
     }
 }
 
+impl Enclosed for Groups<Ball> {
+    type Floats = Groups<Interval>;
+
+    fn in_floats(&self) -> Self::Floats {
+        let float = |x: &Number<Series<Ball>>| x.map(|a| a.into());
+        Groups(self.0.iter().map(|motion| motion.map(float)).collect())
+    }
+
+    fn rounded(&self, bits: u32) -> Self {
+        let short = |x: &Number<Series<Ball>>| x.map(|a| Number(a.0.with_precision(bits)));
+        Groups(self.0.iter().map(|motion| motion.map(short)).collect())
+    }
+}
+
 /// Of several series for each group, the four terms that must vanish.
-fn terms<const N: usize>(
-    groups: &Groups<Ball>,
-    series: impl Iterator<Item = [Number<Series<Ball>>; N]>,
-) -> [Vector; N] {
-    let mut rows: [Vec<Number<Ball>>; N] = std::array::from_fn(|_| Vec::new());
+fn terms<K: Kind, const N: usize>(
+    groups: &Groups<K>,
+    series: impl Iterator<Item = [Number<Series<K>>; N]>,
+) -> [Vector<K>; N] {
+    let mut rows: [Vec<Number<K>>; N] = std::array::from_fn(|_| Vec::new());
     for (motion, series) in groups.0.iter().zip(series) {
         for (row, series) in rows.iter_mut().zip(&series) {
             row.extend((0..size(motion)).map(|j| series.coefficient(j)));

@@ -114,10 +114,10 @@ impl Interval {
 
 impl From<&Ball> for Interval {
     fn from(ball: &Ball) -> Self {
-        match (ball.lower(), ball.upper()) {
-            (Some(low), Some(high)) => enclosing(&low, &high),
-            _ if ball.has_value() => Interval::WHOLE_LINE,
-            _ => Interval::NO_VALUE,
+        match ball.float_ends() {
+            Some([low, high]) => Interval { low, high },
+            None if ball.has_value() => Interval::WHOLE_LINE,
+            None => Interval::NO_VALUE,
         }
     }
 }

@@ -13,6 +13,7 @@ mod focal_mechanism;
 mod four_bar;
 mod frames;
 pub mod gallery;
+mod growth;
 mod hart;
 mod labels;
 mod linkage_panels;

@@ -1,29 +1,41 @@
 //! The judge of a Burmester pair: an interval test on the circle conditions themselves.
 
-use crate::number::{Ball, Kind, Number, array};
+use crate::number::{Ball, Interval, Kind, Number, Real, array};
 use crate::plane::Point;
 use crate::plane::displacement::Displacement;
 
-/// Four conditions of a pair, known by enclosures.
-pub trait Conditions {
+/// Four conditions of a pair.
+pub trait Conditions<K> {
+    /// The four values for x, y of the circlepoint and X, Y of the center.
+    fn values(&self, at: &Vector<K>) -> Vector<K>;
+    /// Their derivatives: a row for each value.
+    fn derivative(&self, at: &Vector<K>) -> Matrix<K>;
+}
+
+/// Conditions known by enclosures.
+pub trait Enclosed: Conditions<Ball> {
+    /// The same in intervals of machine floats.
+    type Floats: Conditions<Interval>;
+    /// The same in intervals of machine floats.
+    fn in_floats(&self) -> Self::Floats;
     /// The same with so many bits.
     fn rounded(&self, bits: u32) -> Self;
-    /// The four values for x, y of the circlepoint and X, Y of the center.
-    fn values(&self, at: &Vector) -> Vector;
-    /// Their derivatives: a row for each value.
-    fn derivative(&self, at: &Vector) -> Matrix;
 }
 
 /// Whether the boxes around circlepoint z and center M hold exactly one pair: Krawczyk's operator
 /// m − Cf(m) + (1 − CJ)(box − m) of the four conditions lies inside the boxes, with C near the inverse
 /// of the derivative in the middle m. `false` says nothing.
-pub fn holds_one_pair(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> bool {
-    // Boxes that are much larger than the enclosures will do, so that few bits mostly suffice.
+pub fn holds_one_pair(conditions: &impl Enclosed, [z, m]: [&Point<Ball>; 2], bits: u32) -> bool {
+    // Boxes that are much larger than the enclosures will do, so that machine floats or few bits
+    // mostly suffice.
+    let unknowns = [z.re(), z.im(), m.re(), m.im()];
+    if test(&conditions.in_floats(), &unknowns.map(Number::from), &()).unwrap_or(false) {
+        return true;
+    }
     let mut few = FIRST_BITS.min(bits);
     loop {
         let short = |x: &Number<Ball>| Number(x.0.with_precision(few));
-        let point = |z: &Point<Ball>| Number::complex(short(z.re()), short(z.im()));
-        if test(&conditions.rounded(few), [&point(z), &point(m)], few).unwrap_or(false) {
+        if test(&conditions.rounded(few), &unknowns.map(short), &few).unwrap_or(false) {
             return true;
         }
         if few >= bits {
@@ -33,32 +45,84 @@ pub fn holds_one_pair(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], b
     }
 }
 
-/// Bits that are tried first.
+/// Bits that are tried after machine floats.
 const FIRST_BITS: u32 = 128;
 
 /// By x, y, X, Y.
-pub type Vector = [Number<Ball>; 4];
+pub type Vector<K> = [Number<K>; 4];
 /// Rows.
-pub type Matrix = [Vector; 4];
+pub type Matrix<K> = [Vector<K>; 4];
+
+/// Sets of real numbers, one of which is their middle.
+trait Box: Real {
+    /// The middle.
+    fn middle(&self, precision: &Self::Precision) -> Option<Self>;
+    /// With a thousandfold radius, and one where it had none.
+    fn widened(&self, precision: &Self::Precision) -> Option<Self>;
+    /// Whether it lies inside the other, and touches neither end.
+    fn is_inside(&self, other: &Self) -> Option<bool>;
+    /// Greater for greater numbers, about.
+    fn size(&self) -> f64;
+}
+
+impl Box for Ball {
+    fn middle(&self, bits: &u32) -> Option<Self> {
+        Some(Ball::rounded(&self.midpoint_rational()?, bits))
+    }
+
+    fn widened(&self, bits: &u32) -> Option<Self> {
+        let mid = self.midpoint_rational()?;
+        let size = mid.clone().abs() + 1;
+        let least = size >> (bits / 2);
+        let radius = self.radius_rational()? * 1000 + least;
+        Some(Ball::with_radius(&mid, &radius, *bits))
+    }
+
+    fn is_inside(&self, other: &Self) -> Option<bool> {
+        Some(self.lower()? > other.lower()? && self.upper()? < other.upper()?)
+    }
+
+    fn size(&self) -> f64 {
+        let middle = self.midpoint_rational();
+        middle.map_or(0.0, |middle| middle.to_f64().abs())
+    }
+}
+
+impl Box for Interval {
+    fn middle(&self, (): &()) -> Option<Self> {
+        let middle = self.low() / 2.0 + self.high() / 2.0;
+        middle.is_finite().then(|| Interval::new(middle, middle))
+    }
+
+    fn widened(&self, (): &()) -> Option<Self> {
+        /// Of what has no radius, as a share of its size.
+        const LEAST: f64 = 1e-8;
+        let radius = 500.0 * (self.high() - self.low()) + LEAST * (self.magnitude() + 1.0);
+        radius.is_finite().then(|| self.widened(radius))
+    }
+
+    fn is_inside(&self, other: &Self) -> Option<bool> {
+        Some(self.low() > other.low() && self.high() < other.high())
+    }
+
+    fn size(&self) -> f64 {
+        self.magnitude()
+    }
+}
 
 #[expect(
     clippy::indexing_slicing,
     reason = "four unknowns, hence four rows and columns"
 )]
-fn test(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> Option<bool> {
-    let unknowns = [z.re(), z.im(), m.re(), m.im()];
+fn test<K: Box>(
+    conditions: &impl Conditions<K>,
+    unknowns: &Vector<K>,
+    precision: &K::Precision,
+) -> Option<bool> {
     // Room around the enclosure, so that its image can lie inside.
-    let wide: Vec<Number<Ball>> = unknowns
-        .iter()
-        .map(|x| widened(x, bits))
-        .collect::<Option<_>>()?;
-    let wide: Vector = wide.try_into().ok()?;
-    let middle: Vec<Number<Ball>> = wide
-        .iter()
-        .map(|x| Some(Number::rounded(&x.0.midpoint_rational()?, &bits)))
-        .collect::<Option<_>>()?;
-    let middle: Vector = middle.try_into().ok()?;
-    let inverse = approximate_inverse(&conditions.derivative(&middle), bits)?;
+    let wide = each(unknowns, |x| Some(Number(x.0.widened(precision)?)))?;
+    let middle = each(&wide, |x| Some(Number(x.0.middle(precision)?)))?;
+    let inverse = approximate_inverse(&conditions.derivative(&middle), precision)?;
     let value = apply(&inverse, &conditions.values(&middle));
     let slope = conditions.derivative(&wide);
     for i in 0..4 {
@@ -70,41 +134,30 @@ fn test(conditions: &impl Conditions, [z, m]: [&Point<Ball>; 2], bits: u32) -> O
             }
             image += entry * (&wide[k] - &middle[k]);
         }
-        let inside =
-            image.0.lower()? > wide[i].0.lower()? && image.0.upper()? < wide[i].0.upper()?;
-        if !inside {
+        if !image.0.is_inside(&wide[i].0)? {
             return Some(false);
         }
     }
     Some(true)
 }
 
-/// An enclosure with a thousandfold radius, and one where it had none.
-fn widened(x: &Number<Ball>, bits: u32) -> Option<Number<Ball>> {
-    let mid = x.0.midpoint_rational()?;
-    let size = mid.clone().abs() + 1;
-    let least = size >> (bits / 2);
-    let radius = x.0.radius_rational()? * 1000 + least;
-    Some(Number(Ball::with_radius(&mid, &radius, bits)))
+fn each<K>(numbers: &Vector<K>, of: impl Fn(&Number<K>) -> Option<Number<K>>) -> Option<Vector<K>> {
+    let [x, y, u, v] = numbers;
+    Some([of(x)?, of(y)?, of(u)?, of(v)?])
 }
 
 /// The conditions of finite positions: |rⱼz + tⱼ − M|² − |r₁z + t₁ − M|².
-impl Conditions for [Displacement<Ball>; 5] {
-    fn rounded(&self, bits: u32) -> Self {
-        let short = |x: &Number<Ball>| Number(x.0.with_precision(bits));
-        self.each_ref().map(|position| position.map(short))
-    }
-
-    fn values(&self, [x, y, u, v]: &Vector) -> Vector {
+impl<K: Kind> Conditions<K> for [Displacement<K>; 5] {
+    fn values(&self, [x, y, u, v]: &Vector<K>) -> Vector<K> {
         let z = Number::complex(x.clone(), y.clone());
         let m = Number::complex(u.clone(), v.clone());
-        let square = |position: &Displacement<Ball>| (position.of(&z) - &m).norm();
+        let square = |position: &Displacement<K>| (position.of(&z) - &m).norm();
         let [first, rest @ ..] = self;
         let first = square(first);
         rest.each_ref().map(|position| square(position) - &first)
     }
 
-    fn derivative(&self, [x, y, u, v]: &Vector) -> Matrix {
+    fn derivative(&self, [x, y, u, v]: &Vector<K>) -> Matrix<K> {
         let z = Number::complex(x.clone(), y.clone());
         let m = Number::complex(u.clone(), v.clone());
         let gradient = |position| gradient(position, &z, &m);
@@ -116,6 +169,20 @@ impl Conditions for [Displacement<Ball>; 5] {
     }
 }
 
+impl Enclosed for [Displacement<Ball>; 5] {
+    type Floats = [Displacement<Interval>; 5];
+
+    fn in_floats(&self) -> Self::Floats {
+        let float = |x: &Number<Ball>| x.into();
+        self.each_ref().map(|position| position.map(float))
+    }
+
+    fn rounded(&self, bits: u32) -> Self {
+        let short = |x: &Number<Ball>| Number(x.0.with_precision(bits));
+        self.each_ref().map(|position| position.map(short))
+    }
+}
+
 /// Of |d|² with d = rz + t − M: by z the real part of 2 d̄r and of 2 d̄ri, by M that of −2d̄ and −2d̄i.
 pub fn gradient<K: Kind>(position: &Displacement<K>, z: &Point<K>, m: &Point<K>) -> [Number<K>; 4] {
     let d = position.of(z) - m;
@@ -123,7 +190,7 @@ pub fn gradient<K: Kind>(position: &Displacement<K>, z: &Point<K>, m: &Point<K>)
     [2 * turned.re(), -2 * turned.im(), -2 * d.re(), -2 * d.im()]
 }
 
-fn apply(matrix: &Matrix, vector: &Vector) -> Vector {
+fn apply<K: Kind>(matrix: &Matrix<K>, vector: &Vector<K>) -> Vector<K> {
     matrix.each_ref().map(|row| {
         let terms = row.iter().zip(vector);
         terms.map(|(a, b)| a * b).sum()
@@ -131,46 +198,33 @@ fn apply(matrix: &Matrix, vector: &Vector) -> Vector {
 }
 
 /// The midpoints of an inverse by Gauss and Jordan; need not be exact.
-fn approximate_inverse(matrix: &Matrix, bits: u32) -> Option<Matrix> {
-    let mut rows: Vec<Vec<Number<Ball>>> = matrix
-        .iter()
-        .enumerate()
-        .map(|(i, row)| {
-            let unit = (0..4).map(|k| Number::from(i64::from(i == k)));
-            row.iter().cloned().chain(unit).collect()
-        })
-        .collect();
+#[expect(
+    clippy::indexing_slicing,
+    reason = "four rows of a matrix and of the identity beside it"
+)]
+fn approximate_inverse<K: Box>(matrix: &Matrix<K>, precision: &K::Precision) -> Option<Matrix<K>> {
+    let mut left = matrix.clone();
+    let mut right: Matrix<K> =
+        std::array::from_fn(|i| std::array::from_fn(|k| i64::from(i == k).into()));
     for column in 0..4 {
-        let size = |row: &Vec<Number<Ball>>| -> Option<rug::Rational> {
-            Some(row.get(column)?.0.midpoint_rational()?.abs())
-        };
-        let mut best = column;
-        for place in column..4 {
-            if size(rows.get(place)?)? > size(rows.get(best)?)? {
-                best = place;
-            }
+        let size = |row: &usize| left[*row][column].0.size();
+        let best = (column..4).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        left.swap(column, best);
+        right.swap(column, best);
+        let inverse = left[column][column].inverse();
+        for half in [&mut left, &mut right] {
+            half[column] = half[column].each_ref().map(|entry| entry * &inverse);
         }
-        rows.swap(column, best);
-        let pivot = rows.get(column)?.clone();
-        let inverse = pivot.get(column)?.inverse();
-        let pivot: Vec<Number<Ball>> = pivot.iter().map(|entry| entry * &inverse).collect();
-        for (place, row) in rows.iter_mut().enumerate() {
-            if place == column {
-                row.clone_from(&pivot);
-                continue;
-            }
-            let factor = row.get(column)?.clone();
-            for (entry, term) in row.iter_mut().zip(&pivot) {
-                *entry = &*entry - &factor * term;
+        for row in (0..4).filter(|row| *row != column) {
+            let factor = left[row][column].clone();
+            for half in [&mut left, &mut right] {
+                let pivot = half[column].clone();
+                for (entry, term) in half[row].iter_mut().zip(&pivot) {
+                    *entry -= &factor * term;
+                }
             }
         }
     }
-    let middle = |x: &Number<Ball>| Some(Number::rounded(&x.0.midpoint_rational()?, &bits));
-    let mut inverse: Matrix = std::array::from_fn(|_| std::array::from_fn(|_| Number::zero()));
-    for (target, row) in inverse.iter_mut().zip(&rows) {
-        for (entry, value) in target.iter_mut().zip(row.get(4..)?) {
-            *entry = middle(value)?;
-        }
-    }
-    Some(inverse)
+    let [a, b, c, d] = right.map(|row| each(&row, |x| Some(Number(x.0.middle(precision)?))));
+    Some([a?, b?, c?, d?])
 }

@@ -99,6 +99,23 @@ impl Ball {
         Some(self.midpoint_rational()? + self.radius_rational()?)
     }
 
+    /// Machine floats of which none of its numbers is less, and none greater; `None` where there is no
+    /// value or nothing is known.
+    pub(in crate::number) fn float_ends(&self) -> Option<[f64; 2]> {
+        let ball = match &self.0 {
+            Content::NoValue => return None,
+            Content::Constant(c) => &Enclosure::from_constant(c, 64),
+            Content::Enclosure(ball) => ball,
+        };
+        if ball.radius.is_infinite() {
+            return None;
+        }
+        let radius = ball.radius.to_float();
+        let (low, _) = Float::with_val_round(53, &ball.mid - &radius, Round::Down);
+        let (high, _) = Float::with_val_round(53, &ball.mid + &radius, Round::Up);
+        Some([low.to_f64_round(Round::Down), high.to_f64_round(Round::Up)])
+    }
+
     /// Whether nothing is known: the ball is the whole line.
     pub fn is_whole_line(&self) -> bool {
         matches!(&self.0, Content::Enclosure(ball) if ball.radius.is_infinite())

@@ -10,7 +10,7 @@ use crate::finite::five_positions::conditioning::conditioning;
 use crate::finite::five_positions::conditions::finite_pair;
 use crate::finite::five_positions::conics::Place;
 use crate::finite::five_positions::families::Family;
-use crate::finite::five_positions::krawczyk::{self, Conditions};
+use crate::finite::five_positions::krawczyk::{self, Enclosed};
 use crate::number::exact::primitive;
 use crate::number::{Ball, Complex, Exact, Number};
 use crate::oracle::linkages::{self, Dyad};
@@ -33,7 +33,7 @@ pub struct Writer<'a, C> {
     pub wishes: Option<&'a Wishes>,
 }
 
-impl<C: Conditions> Writer<'_, C> {
+impl<C: Enclosed> Writer<'_, C> {
     /// The whole answer.
     pub fn answer(mut self, found: &Found) -> Map<String, Value> {
         let mut pairs: Vec<(&Real, [Point<Ball>; 2])> = found

@@ -6,11 +6,12 @@ use super::File;
 use crate::ledger::Verdict;
 
 /// The pages that every page leads to.
-const NAVIGATION: [(&str, &str); 4] = [
+const NAVIGATION: [(&str, &str); 5] = [
     ("index.html", "All sources"),
     ("index.html#errata", "Errata"),
     ("corpora.html", "Problems"),
     ("scores.html", "Scores"),
+    ("speed.html", "Speed"),
 ];
 
 /// A page; `path` is where it will be.

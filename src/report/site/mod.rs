@@ -13,9 +13,11 @@ mod known;
 mod layout;
 mod mathematics;
 mod numbers;
+mod prose;
 mod scores;
 mod search;
 mod source;
+mod speed;
 
 use rayon::prelude::*;
 
@@ -66,7 +68,12 @@ pub fn site(sources: &[Judged<'_>], step: impl Fn() + Sync) -> Result<Vec<File>,
             page
         })
         .collect();
-    let mut files = vec![front::page(sources), scores::page(), corpora::overview()];
+    let mut files = vec![
+        front::page(sources),
+        scores::page(),
+        speed::page(),
+        corpora::overview(),
+    ];
     for (source, exhibits) in sources.iter().zip(exhibits?) {
         files.push(source::page(source, &exhibits));
         step();
