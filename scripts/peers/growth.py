@@ -19,7 +19,7 @@ DIGITS = [100, 300, 1000, 3000, 10_000, 30_000, 100_000]
 DIFFERENT = 500
 MANY = [1, 10, 100, 1000, 10_000, 100_000, 1_000_000]
 # Degrees between neighbours of the chart, whose linkages are counted.
-STEPS = [45, 30, 15, 10, 5, 3, 2, 1]
+STEPS = [15, 10, 5, 3, 2, 1]
 ROUNDS = 3
 
 
@@ -30,7 +30,7 @@ def run(chosen):
     about = surroundings(programs["ours"], chosen)
     series = [
         {"what": "Five positions, certified: time of a problem", "across": "digits", "kernel": "five_positions_arb.c",
-         "cases": [(n, f"five-{n}", 2, "pairs") for n in DIGITS[: 4 if chosen.quick else None]],
+         "cases": [(n, f"five-{n}", 20, "pairs") for n in DIGITS[: 4 if chosen.quick else None]],
          "exponent": 1, "expected": "1, and a little for the logarithm: the multiplication of long numbers by FFT"},
         {"what": "Five positions in doubles: time of all problems", "across": "problems", "kernel": "five_positions_f64.cpp",
          "cases": [(n, "five-f64", n, "many") for n in MANY[: 4 if chosen.quick else None]], "exponent": 1, "expected": "1"},

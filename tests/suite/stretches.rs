@@ -508,7 +508,7 @@ fn cases(count: u32, mut check: impl FnMut([Position; 4], u8, [i64; 4]) -> [usiz
 
 #[test]
 fn regions_and_order() {
-    cases(30, |positions, choice, [x, y, w, h]| {
+    cases(20, |positions, choice, [x, y, w, h]| {
         let rectangle = json!({"box": [
             [x.to_string(), y.to_string()], [(x + w).to_string(), (y - h).to_string()],
         ]});
@@ -551,7 +551,7 @@ fn beside(positions: &[Position; 4]) -> Option<Value> {
 
 #[test]
 fn linkages() {
-    cases(30, |positions, choice, _| {
+    cases(18, |positions, choice, _| {
         let Some(given) = beside(&positions) else {
             return [0, 0];
         };
@@ -570,7 +570,7 @@ fn linkages() {
 
 #[test]
 fn transmission_angles() {
-    cases(18, |positions, choice, [_, _, degrees, _]| {
+    cases(12, |positions, choice, [_, _, degrees, _]| {
         let Some(given) = beside(&positions) else {
             return [0, 0];
         };

@@ -140,6 +140,10 @@ def isolated(quartic, bits):
     return [z.real for z in roots if z.imag == 0], [z for z in roots if z.imag > 0]
 
 
+# More for a problem of few digits are not tried.
+MOST_BITS = 10_000
+
+
 def solved(positions, digits):
     """The number of real pairs, and all pairs as x, y, X, Y; of each couple of conjugate ones the first."""
     d, forms = linear_forms(positions)
@@ -154,6 +158,8 @@ def solved(positions, digits):
         if all(is_sharp(pair, digits) for pair in pairs):
             return len(real), pairs
         bits += bits // 2
+        if bits > MOST_BITS + 50 * digits:
+            raise ValueError("a coordinate that cancels altogether")
 
 
 def lifted(x, first, second, forms, d):
