@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use rug::Integer;
+use rug::{Assign, Integer};
 
 use super::exact::primitive_integers;
 use super::{Kind, Number, Truth};
@@ -41,47 +41,83 @@ pub fn kernel_in_order<K: Kind>(
     free.map(vector).collect()
 }
 
-/// A basis of the solutions of homogeneous equations with integer coefficients, each of primitive
-/// integers; without fractions (E. H. Bareiss 1968).
-pub fn integer_kernel(rows: &[Vec<Integer>], unknowns: usize) -> Vec<Vec<Integer>> {
-    let mut rows = rows.to_vec();
+/// What is left of equations with integer coefficients by elimination.
+pub struct Eliminated {
+    /// Each with one pivot, the determinant, in a column where all others have zero.
+    pub rows: Vec<Vec<Integer>>,
+    /// The columns of the pivots, in the order of the rows.
+    pub pivots: Vec<usize>,
+    /// Of the rows in these columns.
+    pub determinant: Integer,
+}
+
+/// Elimination without fractions (E. H. Bareiss 1968), with the first columns that will do.
+pub fn integer_elimination(mut rows: Vec<Vec<Integer>>, unknowns: usize) -> Eliminated {
     let mut pivots: Vec<usize> = Vec::new();
     // Every entry is a minor of the rows; those of the pivots, all equal, are the last one of them.
     let mut last = Integer::from(1);
     while let Some((place, column)) = first_entry(&rows, pivots.len(), unknowns) {
         rows.swap(pivots.len(), place);
-        let Some(row) = rows.get(pivots.len()).cloned() else {
+        let Some(row) = rows.get_mut(pivots.len()).map(std::mem::take) else {
             break;
         };
-        let Some(pivot) = row.get(column).cloned() else {
-            break;
-        };
+        let pivot = row.get(column).cloned().unwrap_or_default();
         for (other, entries) in rows.iter_mut().enumerate() {
-            if other == pivots.len() {
-                continue;
+            if other != pivots.len() {
+                clear_column(entries, column, (&row, &pivot), &last);
             }
-            let Some(factor) = entries.get(column).cloned() else {
-                continue;
-            };
-            for (entry, term) in entries.iter_mut().zip(&row) {
-                if entry.is_zero() && term.is_zero() {
-                    continue;
-                }
-                *entry *= &pivot;
-                *entry -= &factor * term;
-                if last != 1 {
-                    entry.div_exact_mut(&last);
-                }
-            }
+        }
+        if let Some(place) = rows.get_mut(pivots.len()) {
+            *place = row;
         }
         pivots.push(column);
         last = pivot;
     }
+    Eliminated {
+        rows,
+        pivots,
+        determinant: last,
+    }
+}
+
+/// (pivot·entries − factor·row)/last, which has no remainder.
+fn clear_column(
+    entries: &mut [Integer],
+    column: usize,
+    (row, pivot): (&[Integer], &Integer),
+    last: &Integer,
+) {
+    let Some(factor) = entries.get_mut(column).map(std::mem::take) else {
+        return;
+    };
+    let mut cleared = Integer::new();
+    for (place, (entry, term)) in entries.iter_mut().zip(row).enumerate() {
+        // The factor itself has become zero.
+        if place == column || entry.is_zero() && term.is_zero() {
+            continue;
+        }
+        cleared.assign(&*entry * pivot);
+        cleared -= &factor * term;
+        if *last != 1 {
+            cleared.div_exact_mut(last);
+        }
+        std::mem::swap(entry, &mut cleared);
+    }
+}
+
+/// A basis of the solutions of homogeneous equations with integer coefficients, each of primitive
+/// integers.
+pub fn integer_kernel(rows: &[Vec<Integer>], unknowns: usize) -> Vec<Vec<Integer>> {
+    let Eliminated {
+        rows,
+        pivots,
+        determinant,
+    } = integer_elimination(rows.to_vec(), unknowns);
     let free = (0..unknowns).filter(|column| !pivots.contains(column));
     let vector = |column: usize| {
         let mut vector = vec![Integer::new(); unknowns];
         if let Some(entry) = vector.get_mut(column) {
-            entry.clone_from(&last);
+            entry.clone_from(&determinant);
         }
         for (row, pivot) in rows.iter().zip(&pivots) {
             if let (Some(entry), Some(target)) = (row.get(column), vector.get_mut(*pivot)) {

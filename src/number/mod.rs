@@ -11,6 +11,7 @@ pub mod decimal;
 pub mod degrees;
 pub mod exact;
 mod float;
+pub(crate) mod gaussian;
 mod interval;
 mod kind;
 pub(crate) mod lanes;

@@ -1,15 +1,9 @@
 //! All pairs of rational positions to so many bits, by whatever is quickest.
 
-use super::conics::{Isolated, Pair, Pairs, Place, first_meets, pairs};
-use super::enclosed::{self, Enclosed};
+use super::conics::{Isolated, Pair, Pairs, pairs};
+use super::refined;
 use crate::number::{Ball, Complex, Exact, Number};
-use crate::plane::Point;
 use crate::plane::displacement::Displacement;
-
-/// Up to here enclosures are shorter than the numbers of an exact elimination.
-const MOST_ENCLOSED_BITS: u32 = 1000;
-/// Bits that the elimination in enclosures loses, as a rule.
-const LOST_BITS: u32 = 64;
 
 /// All pairs, isolated, none missing.
 #[derive(Clone, Debug)]
@@ -20,16 +14,11 @@ pub struct Certified {
     pub complex: Vec<Pair<Complex<Ball>>>,
 }
 
-/// The pairs of five positions; `None` for families. Where many bits are asked for, or the enclosures
-/// cannot tell the pairs apart or from infinity, by exact elimination.
+/// The pairs of five positions; `None` for families. Where four finite pairs cannot be told apart from
+/// machine floats on, by exact elimination.
 pub fn certified(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<Certified> {
-    let working = bits.checked_add(LOST_BITS)?;
-    let found = if bits <= MOST_ENCLOSED_BITS {
-        in_enclosures(positions, working)
-    } else {
-        by_exact_conics(positions, working)
-    };
-    if let Some(found) = found.and_then(|found| sharp(found, bits)) {
+    let found = refined::pairs(positions, bits);
+    if let Some(found) = found.filter(|found| found.has_bits(bits)) {
         return Some(found);
     }
     match pairs(positions)? {
@@ -67,66 +56,4 @@ impl Certified {
 
 fn has_bits(x: &Number<Ball>, bits: u32) -> bool {
     x.0.accuracy_bits() >= Some(i64::from(bits))
-}
-
-/// Four different pairs, from enclosures on.
-fn in_enclosures(positions: &[Displacement<Exact>; 5], working: u32) -> Option<Enclosed> {
-    enclosed::pairs(&rounded(positions, working)?, working)
-}
-
-/// The same from the exact resultant on: with many bits its coefficients are short.
-fn by_exact_conics(positions: &[Displacement<Exact>; 5], working: u32) -> Option<Enclosed> {
-    // What a coefficient needs, and one or zero as such.
-    let short = |x: &Number<Exact>| {
-        let q = x.0.rational().cloned().unwrap_or_default();
-        let bits = q.numer().significant_bits();
-        if bits < 64 || !q.is_integer() {
-            Number::from(q)
-        } else {
-            Number::rounded(&q, &bits.min(working))
-        }
-    };
-    let whole = |x: &Number<Exact>| {
-        let q = x.0.rational().cloned().unwrap_or_default();
-        Number::rounded(&q, &working)
-    };
-    enclosed::solved(&first_meets(positions)?.map(short, whole), working)
-}
-
-/// If they are finite and known to so many bits.
-fn sharp(found: Enclosed, bits: u32) -> Option<Certified> {
-    let is_sharp = |x: &Number<Ball>| has_bits(x, bits);
-    let real = found.real.into_iter().map(|coordinates| {
-        let sharp = coordinates[0].is_zero().is_no() && coordinates.iter().all(is_sharp);
-        sharp.then_some(Pair {
-            coordinates,
-            place: Place::Finite,
-            multiplicity: 1,
-        })
-    });
-    let complex = found.complex.into_iter().map(|coordinates| {
-        let parts_are = |z: &Number<Complex<Ball>>| is_sharp(z.re()) && is_sharp(z.im());
-        let sharp = coordinates[0].is_zero().is_no() && coordinates.iter().all(parts_are);
-        sharp.then_some(Pair {
-            coordinates,
-            place: Place::Finite,
-            multiplicity: 1,
-        })
-    });
-    Some(Certified {
-        real: real.collect::<Option<_>>()?,
-        complex: complex.collect::<Option<_>>()?,
-    })
-}
-
-fn rounded(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<[Displacement<Ball>; 5]> {
-    let ball = |x: &Number<Exact>| Some(Number::<Ball>::rounded(x.0.rational()?, &bits));
-    let point = |z: &Point<Exact>| Some(Number::complex(ball(z.re())?, ball(z.im())?));
-    let placed = positions.iter().map(|position| {
-        Some(Displacement {
-            rotation: point(&position.rotation)?,
-            translation: point(&position.translation)?,
-        })
-    });
-    placed.collect::<Option<Vec<_>>>()?.try_into().ok()
 }

@@ -30,25 +30,6 @@ pub struct MeetOnLine<K> {
     weights: [Polynomial<K>; 3],
 }
 
-impl<K: Kind> Meets<K> {
-    /// The same in another kind, the resultant converted by itself.
-    pub fn map<L: Kind>(
-        &self,
-        convert: impl Fn(&Number<K>) -> Number<L>,
-        convert_resultant: impl Fn(&Number<K>) -> Number<L>,
-    ) -> Meets<L> {
-        let MeetOnLine { basis, weights } = &self.coordinates;
-        Meets {
-            resultant: self.resultant.map(convert_resultant),
-            second: self.second.map(&convert),
-            coordinates: MeetOnLine {
-                basis: basis.each_ref().map(|axis| axis.each_ref().map(&convert)),
-                weights: weights.each_ref().map(|weight| weight.map(&convert)),
-            },
-        }
-    }
-}
-
 impl<K: Kind> MeetOnLine<K> {
     fn new(basis: &[Coordinates<K>; 3], first: &Polynomial<K>, second: &Polynomial<K>) -> Self {
         MeetOnLine {

@@ -102,13 +102,6 @@ pub fn pairs_of(conditions: &[Vec<Number<Exact>>]) -> Option<Pairs> {
     Some(Pairs::Families(beside.map(Box::new)))
 }
 
-/// The meets of both conics in the first chart; `None` where that is none of five positions with four
-/// pairs.
-pub fn first_meets(positions: &[Displacement<Exact>; 5]) -> Option<Meets<Exact>> {
-    let basis: [_; 3] = basis(&rows(positions))?.try_into().ok()?;
-    Some(Chart::new(&basis, 0)?.meets())
-}
-
 /// A basis of the solutions, by integers.
 fn basis(conditions: &[Vec<Number<Exact>>]) -> Option<Vec<Coordinates<Exact>>> {
     let rows: Option<Vec<_>> = conditions.iter().map(|row| integral(row)).collect();

@@ -9,7 +9,8 @@
 //! - [`circlepoint_curves`]: the meets of two circlepoint curves,
 //! - [`loop_closure`]: a link whose turns close the loops,
 //! - [`enclosed`]: the conics where the positions are enclosures,
-//! - [`certified`]: the pairs of rational positions to so many bits, the quickest way,
+//! - [`certified`]: the pairs of rational positions to so many bits, the quickest way, which begins with
+//!   machine floats and ends with a proof in them,
 //! - [`floats`]: the conics in machine floats,
 //! - [`families`]: what there is where the pairs are infinitely many,
 //! - [`conditioning`]: how much a pair moves with the positions,
@@ -26,3 +27,4 @@ pub mod families;
 pub mod floats;
 pub mod krawczyk;
 pub mod loop_closure;
+mod refined;

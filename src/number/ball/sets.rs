@@ -24,6 +24,20 @@ impl Ball {
         })
     }
 
+    /// All numbers within 2^reach of an integer times 2^power.
+    pub(crate) fn scaled(integer: &Integer, power: i64, reach: i64) -> Ball {
+        let mut mid = Float::with_val(integer.significant_bits().max(2), integer);
+        match i32::try_from(power) {
+            Ok(power) => mid <<= power,
+            Err(_) => return Ball::nothing_known(),
+        }
+        // Beyond the exponents of floats.
+        if !mid.is_finite() || mid.is_zero() != integer.is_zero() {
+            return Ball::nothing_known();
+        }
+        Ball::around(mid, reach)
+    }
+
     /// An integer, rounded to so many bits.
     pub(in crate::number) fn of_integer(integer: &Integer, bits: u32) -> Ball {
         let rounded = Float::with_val_round(sane_precision(bits), integer, Round::Nearest);

@@ -1,0 +1,287 @@
+//! Complex numbers by integers, changed in place.
+
+use rug::{Assign, Integer};
+
+use super::count;
+
+/// re + i·im with whole parts. A place that has had a number of some size takes another one without
+/// allocation; what multiplies by zero costs next to nothing, so that real ones are as quick as integers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Gaussian {
+    /// Real part.
+    pub re: Integer,
+    /// Imaginary part.
+    pub im: Integer,
+}
+
+impl Gaussian {
+    /// 0, with room for parts of so many bits.
+    pub fn with_room(bits: u32) -> Self {
+        let [re, im] = [(), ()].map(|()| Integer::with_capacity(count::from_u32(bits)));
+        Gaussian { re, im }
+    }
+
+    /// Whether nothing is imaginary.
+    pub fn is_real(&self) -> bool {
+        self.im.is_zero()
+    }
+
+    /// How many bits the longer part has.
+    pub fn significant_bits(&self) -> u32 {
+        self.re.significant_bits().max(self.im.significant_bits())
+    }
+
+    /// An integer times 2^places.
+    pub fn set_integer(&mut self, integer: &Integer, places: u32) {
+        self.re.assign(integer << places);
+        self.im.assign(0);
+    }
+
+    /// Another one times 2^places, rounded down.
+    pub fn set_shifted(&mut self, other: &Gaussian, places: i32) {
+        self.re.assign(&other.re << places);
+        self.im.assign(&other.im << places);
+    }
+
+    /// Times 2^places, rounded down.
+    pub fn shift(&mut self, places: i32) {
+        self.re <<= places;
+        self.im <<= places;
+    }
+
+    /// More by another one.
+    pub fn add(&mut self, other: &Gaussian) {
+        self.re += &other.re;
+        self.im += &other.im;
+    }
+
+    /// Less by another one.
+    pub fn subtract(&mut self, other: &Gaussian) {
+        self.re -= &other.re;
+        self.im -= &other.im;
+    }
+
+    /// An integer times another one.
+    pub fn set_multiple(&mut self, factor: &Integer, other: &Gaussian) {
+        self.re.assign(factor * &other.re);
+        self.im.assign(factor * &other.im);
+    }
+
+    /// More by an integer times another one.
+    pub fn add_multiple(&mut self, factor: &Integer, other: &Gaussian) {
+        self.re += factor * &other.re;
+        self.im += factor * &other.im;
+    }
+
+    /// Less by an integer times another one.
+    pub fn subtract_multiple(&mut self, factor: &Integer, other: &Gaussian) {
+        self.re -= factor * &other.re;
+        self.im -= factor * &other.im;
+    }
+
+    /// More by a product.
+    pub fn add_product(&mut self, a: &Gaussian, b: &Gaussian) {
+        if let Some(product) = long_product(a, b) {
+            return self.add(&product);
+        }
+        self.re += &a.re * &b.re;
+        self.re -= &a.im * &b.im;
+        self.im += &a.re * &b.im;
+        self.im += &a.im * &b.re;
+    }
+
+    /// Less by a product.
+    pub fn subtract_product(&mut self, a: &Gaussian, b: &Gaussian) {
+        if let Some(product) = long_product(a, b) {
+            return self.subtract(&product);
+        }
+        self.re -= &a.re * &b.re;
+        self.re += &a.im * &b.im;
+        self.im -= &a.re * &b.im;
+        self.im -= &a.im * &b.re;
+    }
+
+    /// a b.
+    pub fn set_product(&mut self, a: &Gaussian, b: &Gaussian) {
+        if let Some(product) = long_product(a, b) {
+            *self = product;
+            return;
+        }
+        self.re.assign(&a.re * &b.re);
+        self.re -= &a.im * &b.im;
+        self.im.assign(&a.re * &b.im);
+        self.im += &a.im * &b.re;
+    }
+
+    /// a b + c d.
+    pub fn set_sum(&mut self, [a, b]: [&Gaussian; 2], [c, d]: [&Gaussian; 2]) {
+        self.set_product(a, b);
+        self.add_product(c, d);
+    }
+
+    /// a b − c d.
+    pub fn set_minor(&mut self, [a, b]: [&Gaussian; 2], [c, d]: [&Gaussian; 2]) {
+        self.set_product(a, b);
+        self.subtract_product(c, d);
+    }
+
+    /// With no more than so many bits, and times what power of two it stands for the same, about.
+    pub fn shorten(&mut self, bits: u32) -> i32 {
+        let longer = self.significant_bits().saturating_sub(bits);
+        let longer = i32::try_from(longer).unwrap_or(0);
+        self.shift(-longer);
+        longer
+    }
+
+    /// Times 2^power in machine floats, to a unit in the last place: 0 below their range and infinite beyond.
+    pub fn to_floats(&self, power: i64) -> [f64; 2] {
+        [&self.re, &self.im].map(|part| scaled(part, power))
+    }
+
+    /// By an integer other than 0, each part to less than one unit.
+    pub fn divide_by_integer(&mut self, divisor: &Integer) {
+        self.re /= divisor;
+        self.im /= divisor;
+    }
+
+    /// By another one that is not 0, each part to less than one unit.
+    pub fn divide(&mut self, divisor: &Gaussian) {
+        if divisor.is_real() {
+            return self.divide_by_integer(&divisor.re);
+        }
+        let mut norm = Integer::from(&divisor.re * &divisor.re);
+        norm += &divisor.im * &divisor.im;
+        let mut re = Integer::from(&self.re * &divisor.re);
+        re += &self.im * &divisor.im;
+        self.im *= &divisor.re;
+        self.im -= &self.re * &divisor.im;
+        self.re = re;
+        self.divide_by_integer(&norm);
+    }
+}
+
+/// An integer times 2^power, to a unit in the last place: 0 below the range of floats and infinite beyond.
+pub fn scaled(integer: &Integer, power: i64) -> f64 {
+    let (mantissa, bits) = integer.to_f64_exp();
+    match i32::try_from(i64::from(bits) + power) {
+        Ok(exponent @ -1000..1000) => mantissa * 2f64.powi(exponent),
+        Ok(..-1000) => 0.0,
+        _ if mantissa == 0.0 => 0.0,
+        _ => f64::INFINITY.copysign(mantissa),
+    }
+}
+
+/// Three products of integers instead of four, where these take most of the time.
+fn long_product(a: &Gaussian, b: &Gaussian) -> Option<Gaussian> {
+    /// About where that pays.
+    const LONG: u32 = 1200;
+    if a.is_real() || b.is_real() || a.significant_bits().min(b.significant_bits()) < LONG {
+        return None;
+    }
+    let re = Integer::from(&a.re * &b.re);
+    let both = Integer::from(&a.im * &b.im);
+    let mut im = Integer::from(&a.re + &a.im) * Integer::from(&b.re + &b.im);
+    im -= &re;
+    im -= &both;
+    Some(Gaussian { re: re - both, im })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gaussian(re: i64, im: i64) -> Gaussian {
+        Gaussian {
+            re: re.into(),
+            im: im.into(),
+        }
+    }
+
+    #[test]
+    fn products_and_quotients() {
+        let parts = [0, 1, -1, 3, -7, 20];
+        let all = || {
+            parts
+                .iter()
+                .flat_map(|re| parts.map(|im| gaussian(*re, im)))
+        };
+        for a in all() {
+            for b in all() {
+                let re = Integer::from(&a.re * &b.re) - Integer::from(&a.im * &b.im);
+                let im = Integer::from(&a.re * &b.im) + Integer::from(&a.im * &b.re);
+                let product = Gaussian { re, im };
+                let mut sum = a.clone();
+                sum.add_product(&a, &b);
+                sum.subtract(&a);
+                assert_eq!(sum, product);
+                sum.subtract_product(&a, &b);
+                assert_eq!(sum, Gaussian::default());
+                sum.set_minor([&a, &b], [&b, &a]);
+                assert_eq!(sum, Gaussian::default());
+                sum.set_sum([&a, &b], [&b, &a]);
+                sum.subtract(&product);
+                assert_eq!(sum, product);
+                if b != Gaussian::default() {
+                    let mut quotient = product;
+                    quotient.divide(&b);
+                    assert_eq!(quotient, a);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn long_products_are_the_same() {
+        let long = |z: &Gaussian| {
+            let mut moved = Gaussian::default();
+            moved.set_shifted(z, 2000);
+            moved.add(&gaussian(7, -3));
+            moved
+        };
+        let [a, b] = [long(&gaussian(5, -9)), long(&gaussian(-3, 4))];
+        let re = Integer::from(&a.re * &b.re) - Integer::from(&a.im * &b.im);
+        let im = Integer::from(&a.re * &b.im) + Integer::from(&a.im * &b.re);
+        let mut product = Gaussian::default();
+        product.set_product(&a, &b);
+        assert_eq!(product, Gaussian { re, im });
+        product.subtract_product(&b, &a);
+        product.add_product(&a, &b);
+        product.subtract_product(&a, &b);
+        assert_eq!(product, Gaussian::default());
+    }
+
+    #[test]
+    fn floats_of_all_sizes() {
+        let z = Gaussian {
+            re: Integer::from(-3) << 2000,
+            im: Integer::from(5),
+        };
+        assert_eq!(z.to_floats(-2000)[0], -3.0);
+        assert_eq!(z.to_floats(1), [f64::NEG_INFINITY, 10.0]);
+        assert_eq!(z.to_floats(-1200)[1], 0.0);
+        let mut short = z.clone();
+        assert_eq!((short.shorten(10), short.re), (1992, Integer::from(-768)));
+    }
+
+    #[test]
+    fn multiples_and_places() {
+        let z = gaussian(5, -9);
+        let mut sum = gaussian(1, 1);
+        sum.add_multiple(&Integer::from(3), &z);
+        assert_eq!(sum, gaussian(16, -26));
+        sum.subtract_multiple(&Integer::from(2), &z);
+        assert_eq!(sum, gaussian(6, -8));
+        let mut multiple = Gaussian::default();
+        multiple.set_multiple(&Integer::from(-2), &z);
+        assert_eq!(multiple, gaussian(-10, 18));
+        let mut moved = Gaussian::default();
+        moved.set_shifted(&sum, 2);
+        assert_eq!(moved, gaussian(24, -32));
+        moved.shift(-3);
+        assert_eq!((moved.significant_bits(), &moved), (3, &gaussian(3, -4)));
+        moved.add(&z);
+        assert_eq!(moved, gaussian(8, -13));
+        moved.set_integer(&Integer::from(-3), 4);
+        assert!(moved.is_real() && moved == gaussian(-48, 0));
+    }
+}
