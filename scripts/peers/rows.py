@@ -58,15 +58,11 @@ class Row:
         return sorted({peer.module for line in self.lines for peer in line.peers})
 
 
-def five_certified(digits, targets, part):
+def five_certified(digits, targets):
     peers = [Peer("python-flint", "five_positions_flint", "pairs"), Peer("PARI, not certified", "five_positions_pari", "pairs", loose=True)]
-    title = f"five positions, certified, {digits} digits"
     return Row(
         f"five-{digits}", problems.five_positions, 200, "five_positions_arb.c",
-        [
-            Line(f"{title}: full certificate", "certificate", peers, "pairs", targets),
-            Line(f"{title}: the kernel's part", "pairs", peers, "pairs", part),
-        ],
+        [Line(f"five positions, full certificate, {digits} digits", "pairs", peers, "pairs", targets)],
         partial(agree.pairs, digits=digits), partial(agree.pairs, digits=digits, certified=False),
         ("five_positions_flint", f"five-{digits}"),
     )
@@ -77,16 +73,16 @@ def arithmetic(task):
 
 
 KERNEL, FLINT, PARI = "the kernel", "python-flint", "PARI"
-PART = [Target(KERNEL, 1.2)]
+NEAR_KERNEL = Target(KERNEL, 1.2)
 
 ROWS = [
-    five_certified(70, [], PART),
-    five_certified(100, [Target(FLINT, 0.4)], PART),
-    five_certified(1000, [Target(FLINT, 0.5)], PART),
+    five_certified(70, [NEAR_KERNEL]),
+    five_certified(100, [Target(FLINT, 0.4), NEAR_KERNEL]),
+    five_certified(1000, [Target(FLINT, 0.5), NEAR_KERNEL]),
     Row(
         "five-f64", problems.five_positions, 400, "five_positions_f64.cpp",
         [
-            Line("five positions, f64, many problems", "many", [Peer("numpy", "five_positions_numpy", "many")], "many", PART),
+            Line("five positions, f64, many problems", "many", [Peer("numpy", "five_positions_numpy", "many")], "many", [NEAR_KERNEL]),
             Line("five positions, f64, one problem", "one", [Peer("numpy", "five_positions_numpy", "one")], "many"),
         ],
         agree.float_pairs, reference=("five_positions_flint", "five-30"),

@@ -144,21 +144,85 @@ impl Gaussian {
         self.im /= divisor;
     }
 
-    /// By another one that is not 0, each part to less than one unit.
-    pub fn divide(&mut self, divisor: &Gaussian) {
+    /// Times 2^up and by another one that is not 0, of which about so many bits matter, each part to a few
+    /// units.
+    pub fn divide(list: &mut [Gaussian; 2], divisor: &Gaussian, up: i32, bits: u32) {
         if divisor.is_real() {
-            return self.divide_by_integer(&divisor.re);
+            for z in list {
+                z.shift(up);
+                z.divide_by_integer(&divisor.re);
+            }
+            return;
         }
-        let mut norm = Integer::from(&divisor.re * &divisor.re);
-        norm += &divisor.im * &divisor.im;
-        let mut re = Integer::from(&self.re * &divisor.re);
-        re += &self.im * &divisor.im;
-        self.im *= &divisor.re;
-        self.im -= &self.re * &divisor.im;
-        self.re = re;
-        self.divide_by_integer(&norm);
+        let mut norm = Integer::from(divisor.re.square_ref());
+        norm += divisor.im.square_ref();
+        let longer = norm.significant_bits().saturating_sub(bits);
+        norm >>= longer;
+        let up = up - i32::try_from(longer).unwrap_or(0);
+        let conjugate = Gaussian {
+            re: divisor.re.clone(),
+            im: Integer::from(-&divisor.im),
+        };
+        let mut product = Gaussian::default();
+        for z in list {
+            product.set_product(z, &conjugate);
+            product.shift(up);
+            product.divide_by_integer(&norm);
+            std::mem::swap(z, &mut product);
+        }
+    }
+
+    /// The sum with i times another one, or with −i times it.
+    fn and_turned(&self, other: &Gaussian, backwards: bool) -> Gaussian {
+        let [mut re, mut im] = [self.re.clone(), self.im.clone()];
+        if backwards {
+            re += &other.im;
+            im -= &other.re;
+        } else {
+            re -= &other.im;
+            im += &other.re;
+        }
+        Gaussian { re, im }
     }
 }
+
+/// p = xu + yv and q = yu − xv.
+///
+/// Of long ones p + iq = (x + iy)(u − iv) and p − iq = (x − iy)(u + iv), of which the second is the conjugate
+/// of the first where all are real.
+pub fn products([x, y]: [&Gaussian; 2], [u, v]: [&Gaussian; 2], [p, q]: &mut [Gaussian; 2]) {
+    let all = [x, y, u, v];
+    if all.iter().any(|z| z.significant_bits() < LONG) {
+        p.set_sum([x, u], [y, v]);
+        q.set_minor([y, u], [x, v]);
+        return;
+    }
+    let sum = |backwards: bool| {
+        let (z, m) = (x.and_turned(y, backwards), u.and_turned(v, !backwards));
+        let mut product = Gaussian::default();
+        product.set_product(&z, &m);
+        product
+    };
+    let first = sum(false);
+    if all.iter().all(|z| z.is_real()) {
+        p.re.assign(&first.re);
+        q.re.assign(&first.im);
+        p.im.assign(0);
+        q.im.assign(0);
+        return;
+    }
+    let second = sum(true);
+    p.re.assign(&first.re + &second.re);
+    p.im.assign(&first.im + &second.im);
+    q.re.assign(&first.im - &second.im);
+    q.im.assign(&second.re - &first.re);
+    for z in [p, q] {
+        z.shift(-1);
+    }
+}
+
+/// Bits from which on it pays to have fewer products and more sums.
+const LONG: u32 = 1200;
 
 /// An integer times 2^power, to a unit in the last place: 0 below the range of floats and infinite beyond.
 pub fn scaled(integer: &Integer, power: i64) -> f64 {
@@ -173,8 +237,6 @@ pub fn scaled(integer: &Integer, power: i64) -> f64 {
 
 /// Three products of integers instead of four, where these take most of the time.
 fn long_product(a: &Gaussian, b: &Gaussian) -> Option<Gaussian> {
-    /// About where that pays.
-    const LONG: u32 = 1200;
     if a.is_real() || b.is_real() || a.significant_bits().min(b.significant_bits()) < LONG {
         return None;
     }
@@ -221,10 +283,16 @@ mod tests {
                 sum.set_sum([&a, &b], [&b, &a]);
                 sum.subtract(&product);
                 assert_eq!(sum, product);
+                let mut both = <[Gaussian; 2]>::default();
+                products([&a, &b], [&b, &a], &mut both);
+                sum.set_minor([&b, &b], [&a, &a]);
+                let mut twice = product.clone();
+                twice.add(&product);
+                assert_eq!(both, [twice, sum.clone()]);
                 if b != Gaussian::default() {
-                    let mut quotient = product;
-                    quotient.divide(&b);
-                    assert_eq!(quotient, a);
+                    let mut quotients = [product.clone(), product];
+                    Gaussian::divide(&mut quotients, &b, 0, 100);
+                    assert_eq!(quotients, [a.clone(), a.clone()]);
                 }
             }
         }
@@ -248,6 +316,26 @@ mod tests {
         product.add_product(&a, &b);
         product.subtract_product(&a, &b);
         assert_eq!(product, Gaussian::default());
+        for [a, b] in [[&a, &b], [&real(&a), &real(&b)]] {
+            let mut both = <[Gaussian; 2]>::default();
+            products([a, b], [b, b], &mut both);
+            let mut own = <[Gaussian; 2]>::default();
+            own[0].set_sum([a, b], [b, b]);
+            own[1].set_minor([b, b], [a, b]);
+            assert_eq!(both, own);
+        }
+        let mut quotients = [product.clone(), product];
+        quotients[0].set_product(&a, &b);
+        Gaussian::divide(&mut quotients, &b, 0, 1000);
+        quotients[0].subtract(&a);
+        assert!(quotients[0].significant_bits() < 1020 && quotients[1] == Gaussian::default());
+    }
+
+    fn real(z: &Gaussian) -> Gaussian {
+        Gaussian {
+            re: z.re.clone(),
+            im: Integer::new(),
+        }
     }
 
     #[test]

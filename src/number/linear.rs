@@ -56,6 +56,7 @@ pub fn integer_elimination(mut rows: Vec<Vec<Integer>>, unknowns: usize) -> Elim
     let mut pivots: Vec<usize> = Vec::new();
     // Every entry is a minor of the rows; those of the pivots, all equal, are the last one of them.
     let mut last = Integer::from(1);
+    let mut scratch = Integer::new();
     while let Some((place, column)) = first_entry(&rows, pivots.len(), unknowns) {
         rows.swap(pivots.len(), place);
         let Some(row) = rows.get_mut(pivots.len()).map(std::mem::take) else {
@@ -64,7 +65,7 @@ pub fn integer_elimination(mut rows: Vec<Vec<Integer>>, unknowns: usize) -> Elim
         let pivot = row.get(column).cloned().unwrap_or_default();
         for (other, entries) in rows.iter_mut().enumerate() {
             if other != pivots.len() {
-                clear_column(entries, column, (&row, &pivot), &last);
+                clear_column(entries, column, (&row, &pivot), &last, &mut scratch);
             }
         }
         if let Some(place) = rows.get_mut(pivots.len()) {
@@ -86,22 +87,22 @@ fn clear_column(
     column: usize,
     (row, pivot): (&[Integer], &Integer),
     last: &Integer,
+    scratch: &mut Integer,
 ) {
     let Some(factor) = entries.get_mut(column).map(std::mem::take) else {
         return;
     };
-    let mut cleared = Integer::new();
     for (place, (entry, term)) in entries.iter_mut().zip(row).enumerate() {
         // The factor itself has become zero.
         if place == column || entry.is_zero() && term.is_zero() {
             continue;
         }
-        cleared.assign(&*entry * pivot);
-        cleared -= &factor * term;
+        scratch.assign(&*entry * pivot);
+        *scratch -= &factor * term;
         if *last != 1 {
-            cleared.div_exact_mut(last);
+            scratch.div_exact_mut(last);
         }
-        std::mem::swap(entry, &mut cleared);
+        std::mem::swap(entry, scratch);
     }
 }
 

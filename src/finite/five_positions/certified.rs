@@ -14,11 +14,15 @@ pub struct Certified {
     pub complex: Vec<Pair<Complex<Ball>>>,
 }
 
+/// Where pairs move much with the positions their radii are larger than was foreseen.
+const MORE_BITS: u32 = 64;
+
 /// The pairs of five positions; `None` for families. Where four finite pairs cannot be told apart from
 /// machine floats on, by exact elimination.
 pub fn certified(positions: &[Displacement<Exact>; 5], bits: u32) -> Option<Certified> {
-    let found = refined::pairs(positions, bits);
-    if let Some(found) = found.filter(|found| found.has_bits(bits)) {
+    let attempts = [bits, bits.saturating_add(MORE_BITS)].into_iter();
+    let mut found = attempts.map_while(|bits| refined::pairs(positions, bits));
+    if let Some(found) = found.find(|found| found.has_bits(bits)) {
         return Some(found);
     }
     match pairs(positions)? {
@@ -46,7 +50,7 @@ fn exact(isolated: &Isolated, bits: u32) -> Certified {
 
 impl Certified {
     /// Whether every coordinate is zero or known to so many bits.
-    fn has_bits(&self, bits: u32) -> bool {
+    pub(super) fn has_bits(&self, bits: u32) -> bool {
         let real = self.real.iter().flat_map(|pair| &pair.coordinates);
         let complex = self.complex.iter().flat_map(|pair| &pair.coordinates);
         let mut parts = real.chain(complex.flat_map(|z| [z.re(), z.im()]));

@@ -1,9 +1,9 @@
 //! The conditions of five rational positions by integers.
 
-use rug::{Integer, Rational};
+use rug::{Assign, Integer};
 
 use crate::number::linear::{Eliminated, integer_elimination};
-use crate::number::{Exact, Number};
+use crate::number::{Exact, Number, count};
 use crate::plane::displacement::Displacement;
 
 /// Coefficients of X, Y, p, q, h, x, y.
@@ -26,10 +26,9 @@ struct Scaled {
 }
 
 fn row(position: &Displacement<Exact>) -> Option<Scaled> {
-    let part = |x: &Number<Exact>| x.0.rational().cloned();
     let (r, t) = (&position.rotation, &position.translation);
-    let ([c, s], n) = over_one_denominator([part(r.re())?, part(r.im())?]);
-    let ([a, b], m) = over_one_denominator([part(t.re())?, part(t.im())?]);
+    let ([c, s], n) = over_one_denominator([r.re(), r.im()])?;
+    let ([a, b], m) = over_one_denominator([t.re(), t.im()])?;
     let double = Integer::from(&m << 1);
     let square = Integer::from(&double * &m);
     let mixed = Integer::from(&double * &n);
@@ -45,14 +44,19 @@ fn row(position: &Displacement<Exact>) -> Option<Scaled> {
 }
 
 /// Numerators over the least common denominator.
-fn over_one_denominator([x, y]: [Rational; 2]) -> ([Integer; 2], Integer) {
-    let [(x, of_x), (y, of_y)] = [x, y].map(Rational::into_numer_denom);
-    if of_x == of_y {
-        return ([x, y], of_x);
+fn over_one_denominator([x, y]: [&Number<Exact>; 2]) -> Option<([Integer; 2], Integer)> {
+    let (x, y) = (x.0.rational()?, y.0.rational()?);
+    if x.denom() == y.denom() {
+        let numerators = [x, y].map(|q| q.numer().clone());
+        return Some((numerators, x.denom().clone()));
     }
-    let common = Integer::from(of_x.lcm_ref(&of_y));
-    let [to_x, to_y] = [of_x, of_y].map(|own| Integer::from(common.div_exact_ref(&own)));
-    ([x * to_x, y * to_y], common)
+    let common = Integer::from(x.denom().lcm_ref(y.denom()));
+    let numerators = [x, y].map(|q| {
+        let mut times = Integer::from(common.div_exact_ref(q.denom()));
+        times *= q.numer();
+        times
+    });
+    Some((numerators, common))
 }
 
 fn difference(Scaled { mut row, times }: Scaled, base: &Scaled) -> Row {
@@ -63,6 +67,18 @@ fn difference(Scaled { mut row, times }: Scaled, base: &Scaled) -> Row {
         *entry -= base * &other;
     }
     row
+}
+
+/// With room for minors of all rows.
+fn roomy(row: &Row) -> Vec<Integer> {
+    let longest = row.iter().map(Integer::significant_bits).max();
+    let room = count::from_u32(longest.unwrap_or(0)).saturating_mul(5);
+    let roomy = row.iter().map(|entry| {
+        let mut copy = Integer::with_capacity(room);
+        copy.assign(entry);
+        copy
+    });
+    roomy.collect()
 }
 
 /// The solutions: determinant·(X, Y, p, q) as linear forms in h, x, y.
@@ -76,12 +92,11 @@ pub struct Forms {
 impl Forms {
     /// `None` where X, Y, p, q do not follow from the others.
     pub fn new(rows: &[Row; 4]) -> Option<Self> {
-        let rows = rows.each_ref().map(|row| row.to_vec());
         let Eliminated {
             rows,
             pivots,
             determinant,
-        } = integer_elimination(rows.to_vec(), 7);
+        } = integer_elimination(rows.each_ref().map(roomy).into(), 7);
         if pivots != [0, 1, 2, 3] {
             return None;
         }
@@ -96,14 +111,14 @@ impl Forms {
         })
     }
 
-    /// In about so many bits, and how many were left out: near them only.
-    pub fn rounded(&self, bits: u32) -> (Self, u32) {
-        let longer = self.determinant.significant_bits().saturating_sub(bits);
+    /// In about so many bits, and how many were left out: near them only. `None` where they have no more.
+    pub fn rounded(&self, bits: u32) -> Option<(Self, u32)> {
+        let longer = self.determinant.significant_bits().checked_sub(bits)?;
         let short = |x: &Integer| Integer::from(x >> longer);
         let forms = Forms {
             determinant: short(&self.determinant),
             forms: self.forms.each_ref().map(|form| form.each_ref().map(short)),
         };
-        (forms, longer)
+        (longer > 0).then_some((forms, longer))
     }
 }

@@ -16,7 +16,7 @@ const LAG: u32 = 6;
 /// Bits that a step gains with derivatives in machine floats.
 const FLOAT_STEP: u32 = 40;
 /// Bits for the radius.
-const SPARE_BITS: i64 = 10;
+const SPARE_BITS: i64 = 14;
 /// What is smaller than its like by so many powers of two may be zero.
 const NEGLIGIBLE: i64 = 40;
 /// At least.
@@ -107,10 +107,11 @@ impl Near {
     }
 }
 
-/// An e with 2^e ≤ |x| < 2^(e + 1); `None` for zero and what is not finite.
+/// An e with 2^e ≤ |x| < 2^(e + 1); `None` for zero, for what is not finite, and near either.
 fn exponent(x: f64) -> Option<i64> {
-    let exponent = Integer::from_f64(x.abs().log2().floor())?;
-    exponent.to_i64()
+    let exponent = x.abs().to_bits() >> 52;
+    let exponent = i64::try_from(exponent).ok()? - 1023;
+    (exponent.abs() < 1000).then_some(exponent)
 }
 
 /// In units of 2^−places.

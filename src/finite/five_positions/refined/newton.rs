@@ -3,7 +3,8 @@
 use rug::Integer;
 
 use super::conditions::Forms;
-use crate::number::gaussian::{Gaussian, scaled};
+use super::equations::Equations;
+use crate::number::gaussian::{Gaussian, products, scaled};
 use crate::number::{Complex, Number};
 
 /// Bits that the numbers of a step carry beyond those that it gains.
@@ -25,12 +26,10 @@ pub struct Newton {
     levels: Vec<Level>,
     /// determinant·(X, Y, p, q).
     values: [Gaussian; 4],
-    /// What p and q have too much.
-    excess: [Gaussian; 2],
-    /// Its derivatives, by x and by y.
-    slopes: [[Gaussian; 2]; 2],
-    determinant: Gaussian,
-    moved: [Gaussian; 2],
+    /// On the right what p and q have too much, on the left its derivatives by x and by y: a step solves
+    /// these.
+    equations: Equations,
+    products: [Gaussian; 2],
     short: [Gaussian; 4],
 }
 
@@ -42,30 +41,30 @@ struct Level {
 
 impl Newton {
     /// For x and y of so many bits.
-    pub fn new(forms: &Forms, bits: u32) -> Self {
+    pub fn new(forms: Forms, bits: u32) -> Self {
+        let length = forms.determinant.significant_bits();
+        let float = |c| Number(scaled(c, -i64::from(length)));
+        let floats = (forms.forms.each_ref()).map(|form| form.each_ref().map(float));
         let lengths = std::iter::successors(Some(bits), |bits| Some(bits / 2));
-        let lengths = lengths.take_while(|length| *length == bits || *length >= FEWEST_BITS);
-        let mut levels: Vec<Level> = lengths
-            .map(|length| forms.rounded(length))
+        let lengths = lengths.take_while(|length| *length >= FEWEST_BITS);
+        let shorter = lengths.filter_map(|length| forms.rounded(length));
+        let mut levels: Vec<Level> = shorter
             .map(|(forms, dropped)| Level { forms, dropped })
             .collect();
+        // More bits than those of the pairs are of no use.
+        if levels.is_empty() || length <= bits {
+            levels.insert(0, Level { forms, dropped: 0 });
+        }
         levels.reverse();
         let room = |bits| move || Gaussian::with_room(bits);
         let (whole, product) = (room(2 * bits), room(3 * bits));
-        let length = forms.determinant.significant_bits();
-        let float = |c| Number(scaled(c, -i64::from(length)));
         Newton {
             length,
-            floats: forms
-                .forms
-                .each_ref()
-                .map(|form| form.each_ref().map(float)),
+            floats,
             levels,
             values: [(); 4].map(|()| whole()),
-            excess: [(); 2].map(|()| product()),
-            slopes: [(); 2].map(|()| [(); 2].map(|()| whole())),
-            determinant: product(),
-            moved: [(); 2].map(|()| product()),
+            equations: Equations::default(),
+            products: [(); 2].map(|()| product()),
             short: [(); 4].map(|()| whole()),
         }
     }
@@ -77,8 +76,8 @@ impl Newton {
         let lost = self.set_excess(point, places, places.checked_add(finer)?)?;
         let up = self.set_slopes(point, places, (bits, lost))?;
         let finer = i32::try_from(finer).ok()?;
-        self.solve(bits, up + finer)?;
-        for (z, moved) in point.iter_mut().zip(&self.moved) {
+        self.equations.solve(bits, up + finer)?;
+        for (z, moved) in point.iter_mut().zip(&self.equations.solution) {
             z.shift(finer);
             z.subtract(moved);
         }
@@ -89,13 +88,13 @@ impl Newton {
     pub fn short_step(&mut self, point: &mut [Gaussian; 2], places: u32, finer: u32) -> Option<()> {
         let lost = self.set_excess(point, places, places.checked_add(finer)?)?;
         let unit = i64::from(lost) - i64::from(self.length) - 2 * i64::from(places);
-        let [first, second] = self.excess.each_ref().map(|z| floats(z, unit));
+        let [first, second] = self.equations.right.each_ref().map(|z| floats(z, unit));
         let [x, y] = point.each_ref().map(|z| floats(z, -i64::from(places)));
-        let [[_, ux, uy], [_, vx, vy], [_, px, py], [_, qx, qy]] = &self.floats;
-        let [u, v] = [0, 1].map(|i| {
-            let [constant, by_x, by_y] = &self.floats[i];
+        let [of_u, of_v, [_, px, py], [_, qx, qy]] = &self.floats;
+        let [u, v] = [of_u, of_v].map(|[constant, by_x, by_y]| {
             Floats::from(constant.clone()) + x.scaled(by_x) + y.scaled(by_y)
         });
+        let ([_, ux, uy], [_, vx, vy]) = (of_u, of_v);
         let by = |own: &Number<f64>, of_u: &Number<f64>, of_v: &Number<f64>| {
             let own = Floats::from(own.clone());
             [
@@ -125,26 +124,27 @@ impl Newton {
     /// have about so many bits; says how many of the determinant's they lack.
     fn set_excess(&mut self, [x, y]: &[Gaussian; 2], places: u32, bits: u32) -> Option<u32> {
         let level = level(&self.levels, bits)?;
-        set_values(&mut self.values, level, [x, y], places);
+        for (value, form) in self.values.iter_mut().zip(&level.forms.forms) {
+            set_value(value, form, [x, y], places);
+        }
         let [u, v, p, q] = &self.values;
-        let [first, second] = &mut self.excess;
+        products([x, y], [u, v], &mut self.products);
         let up = i32::try_from(places).ok()?;
-        first.set_shifted(p, up);
-        first.subtract_product(x, u);
-        first.subtract_product(y, v);
-        second.set_shifted(q, up);
-        second.subtract_product(y, u);
-        second.add_product(x, v);
+        let excess = self.equations.right.iter_mut();
+        for ((excess, value), product) in excess.zip([p, q]).zip(&self.products) {
+            excess.set_shifted(value, up);
+            excess.subtract(product);
+        }
         Some(level.dropped)
     }
 
     /// X and Y of x and y, each to one unit of 2^−places.
     pub fn center(&mut self, point: [&Gaussian; 2], places: u32) -> Option<[Gaussian; 2]> {
         let level = self.levels.last()?;
-        set_values(&mut self.values, level, point, places);
-        let [u, v, ..] = &self.values;
-        Some([u, v].map(|value| {
-            let mut value = value.clone();
+        let [u, v, ..] = &level.forms.forms;
+        Some([u, v].map(|form| {
+            let mut value = Gaussian::default();
+            set_value(&mut value, form, point, places);
             value.divide_by_integer(&level.forms.determinant);
             value
         }))
@@ -169,7 +169,7 @@ impl Newton {
         u_short.set_shifted(u, -down - lacking);
         v_short.set_shifted(v, -down - lacking);
         let [[_, ux, uy], [_, vx, vy], [_, px, py], [_, qx, qy]] = &level.forms.forms;
-        let [[p_by_x, p_by_y], [q_by_x, q_by_y]] = &mut self.slopes;
+        let [[p_by_x, p_by_y], [q_by_x, q_by_y]] = &mut self.equations.left;
         p_by_x.set_integer(px, left);
         p_by_x.subtract_multiple(ux, x_short);
         p_by_x.subtract_multiple(vx, y_short);
@@ -188,35 +188,6 @@ impl Newton {
         q_by_y.subtract(u_short);
         Some(-down - lacking)
     }
-
-    /// The excess by the slopes, of which so many bits matter, times 2^up.
-    fn solve(&mut self, bits: u32, up: i32) -> Option<()> {
-        let cut = |longest: u32| i32::try_from(longest.saturating_sub(bits)).ok();
-        let longest = self.excess.iter().map(Gaussian::significant_bits).max()?;
-        let off_excess = cut(longest)?;
-        let slopes = || self.slopes.iter().flatten();
-        let off_slopes = cut(slopes().map(Gaussian::significant_bits).max()?)?;
-        self.excess.iter_mut().for_each(|z| z.shift(-off_excess));
-        for slope in self.slopes.iter_mut().flatten() {
-            slope.shift(-off_slopes);
-        }
-        let [[a, b], [c, d]] = &self.slopes;
-        let [first, second] = &self.excess;
-        self.determinant.set_minor([a, d], [b, c]);
-        if self.determinant == Gaussian::default() {
-            return None;
-        }
-        let [dx, dy] = &mut self.moved;
-        dx.set_minor([first, d], [second, b]);
-        dy.set_minor([a, second], [c, first]);
-        let up = up + off_excess - off_slopes - self.determinant.shorten(bits);
-        for z in &mut self.moved {
-            let off = z.shorten(bits);
-            z.shift(up + off);
-            z.divide(&self.determinant);
-        }
-        Some(())
-    }
 }
 
 /// The shortest forms that have so many bits, or the longest.
@@ -226,12 +197,15 @@ fn level(levels: &[Level], bits: u32) -> Option<&Level> {
     levels.iter().find(enough).or(levels.last())
 }
 
-fn set_values(values: &mut [Gaussian; 4], level: &Level, [x, y]: [&Gaussian; 2], places: u32) {
-    for (value, [constant, by_x, by_y]) in values.iter_mut().zip(&level.forms.forms) {
-        value.set_integer(constant, places);
-        value.add_multiple(by_x, x);
-        value.add_multiple(by_y, y);
-    }
+fn set_value(
+    value: &mut Gaussian,
+    [constant, by_x, by_y]: &[Integer; 3],
+    [x, y]: [&Gaussian; 2],
+    places: u32,
+) {
+    value.set_integer(constant, places);
+    value.add_multiple(by_x, x);
+    value.add_multiple(by_y, y);
 }
 
 fn floats(z: &Gaussian, power: i64) -> Floats {

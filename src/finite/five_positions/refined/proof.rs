@@ -8,11 +8,11 @@
 use rug::{Assign, Integer};
 
 use super::conditions::Row;
-use crate::number::gaussian::{Gaussian, scaled};
+use crate::number::gaussian::{Gaussian, products, scaled};
 use crate::number::{Complex, Number, array, count};
 
 /// Boxes of so many units are not tried.
-const MOST_UNITS: f64 = 64.0;
+const MOST_UNITS: f64 = 1e9;
 /// The rounding errors of an entry of C J or C f(m) as a share of the sum of the magnitudes of its terms. A
 /// term is a product of three numbers, each off by a unit in the last place, in a sum of twelve: less than
 /// 32 errors, each less than 2⁻⁵¹ of the term.
@@ -20,9 +20,10 @@ const ROUNDING: f64 = 1.5e-14;
 /// Less than what the bounds themselves lose, sums of positive numbers.
 const BOUNDS: f64 = 1.0 + 1e-12;
 
-/// A number that is off by no more than 2^reach in each part.
+/// A number near z 2^power, off by no more than 2^reach in each part.
 pub struct Reached {
     pub z: Gaussian,
+    pub power: i64,
     pub reach: i64,
 }
 
@@ -58,35 +59,36 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// x, y, X, Y, p, q with their reach, powers of two in units of 2^−places: a pair, no other one, and a
-    /// simple one, is within these in each part, and a real one where these are real. `None` where that is
-    /// not proven.
+    /// x, y, X, Y in units of 2^−places, p, q, and how far off they are at most from those of a pair, which is
+    /// alone there and simple, and real where these are. `None` where that is not proven.
     pub fn proven(&mut self, at: [Gaussian; 4], places: u32) -> Option<[Reached; 6]> {
         let reach = self.reach(&at, places)?;
         let sizes = at.each_ref().map(|z| size(&complex(z, -i64::from(places))));
+        let sum: f64 = sizes.iter().sum();
+        // Products of short lengths are shorter still: in smaller units.
+        let finer = power_above(sum.recip().clamp(1.0, MOST));
+        let power = -i64::from(places);
         // Of a product of numbers that are off by so much, and whose own last places are left out.
         let most = reach.iter().fold(0.0, |a: f64, b| a.max(*b));
-        let of_product = 2.0 * most * (sizes.iter().sum::<f64>() + 1.0) * BOUNDS + 1.0;
-        let down = -i32::try_from(places).ok()?;
+        let off = 2.0 * most * (sum + 2.0 * most * unit(places));
+        let off = off * 2f64.powi(i32::try_from(finer).ok()?) * BOUNDS + 1.0;
+        let down = i32::try_from(power + finer).ok()?;
         let [p, q] = self.products.each_ref().map(|product| {
             let mut z = Gaussian::default();
             z.set_shifted(product, down);
             z
         });
+        let reached = |z, power, off| Reached {
+            z,
+            power,
+            reach: power + power_above(off),
+        };
         let [x, y, u, v] = at;
         let [of_x, of_y, of_u, of_v] = reach;
-        let all = [
-            (x, of_x),
-            (y, of_y),
-            (u, of_u),
-            (v, of_v),
-            (p, of_product),
-            (q, of_product),
-        ];
-        Some(all.map(|(z, reach)| Reached {
-            z,
-            reach: power_above(reach),
-        }))
+        let own = [(x, of_x), (y, of_y), (u, of_u), (v, of_v)];
+        let [x, y, u, v] = own.map(|(z, off)| reached(z, power, off));
+        let [p, q] = [p, q].map(|z| reached(z, power - finer, off));
+        Some([x, y, u, v, p, q])
     }
 
     fn reach(&mut self, at: &[Gaussian; 4], places: u32) -> Option<[f64; 4]> {
@@ -121,7 +123,7 @@ impl<'a> Judge<'a> {
         (steps, box_): (&[f64; 4], &[f64; 4]),
     ) -> bool {
         let slopes = self.slopes(middle);
-        let errors = self.errors_of_slopes(middle, places);
+        let errors = self.errors_of_slopes(middle, places, box_);
         (0..4).all(|i| {
             let image = (0..4).map(|j| {
                 let column: [f64; 4] = std::array::from_fn(|k| errors[k][j]);
@@ -153,13 +155,19 @@ impl<'a> Judge<'a> {
     }
 
     /// Bounds for these in the box around, and for their rounding errors in sums.
-    fn errors_of_slopes(&self, middle: &[Floats; 4], places: u32) -> [[f64; 4]; 4] {
-        // No less than the unit where that is beyond the range of floats.
-        let unit = 2f64.powi(-i32::try_from(places.min(900)).unwrap_or(0));
+    fn errors_of_slopes(
+        &self,
+        middle: &[Floats; 4],
+        places: u32,
+        box_: &[f64; 4],
+    ) -> [[f64; 4]; 4] {
+        let widest = box_.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let unit = unit(places);
         let [x, y, u, v] = middle.each_ref().map(size);
         self.floats.map(|row| {
             let [by_u, by_v, p, q, _, by_x, by_y] = row.map(f64::abs);
-            let around = 2.0 * MOST_UNITS * unit * (p + q) + TINY;
+            // A part in each of two.
+            let around = 2.0 * widest * unit * (p + q) + TINY;
             [
                 by_x + p * u + q * v,
                 by_y + p * v + q * u,
@@ -173,9 +181,8 @@ impl<'a> Judge<'a> {
     /// The left sides of the conditions times 2^2k.
     fn set_excess(&mut self, [x, y, u, v]: &[Gaussian; 4], places: u32) -> Option<()> {
         let up = i32::try_from(places).ok()?;
-        let [p, q] = &mut self.products;
-        p.set_sum([x, u], [y, v]);
-        q.set_minor([y, u], [x, v]);
+        products([x, y], [u, v], &mut self.products);
+        let [p, q] = &self.products;
         for (sum, row) in self.excess.iter_mut().zip(self.rows) {
             let [by_u, by_v, by_p, by_q, h, by_x, by_y] = row;
             sum.set_multiple(by_u, u);
@@ -211,7 +218,12 @@ fn dot(a: &[f64; 4], b: &[f64; 4]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// An e with w ≤ 2^e.
+/// 2^−places, or more where that is beyond the range of floats.
+fn unit(places: u32) -> f64 {
+    2f64.powi(-i32::try_from(places.min(900)).unwrap_or(0))
+}
+
+/// The least e ≥ 0 with w ≤ 2^e.
 fn power_above(w: f64) -> i64 {
     let powers = std::iter::successors(Some(1.0), |power| Some(2.0 * power));
     let below = powers.take_while(|power| *power < w);
