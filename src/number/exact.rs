@@ -176,20 +176,40 @@ pub fn primitive(list: &[Rational]) -> Vec<Integer> {
 }
 
 /// The same of integers.
-pub fn primitive_integers(integers: Vec<Integer>) -> Vec<Integer> {
-    let mut gcd = (integers.iter()).fold(Integer::new(), |gcd, integer| gcd.gcd(integer));
+pub fn primitive_integers(mut integers: Vec<Integer>) -> Vec<Integer> {
+    divide_by_content(&mut integers);
     let first = integers.iter().find(|integer| !integer.is_zero());
     if first.is_some_and(|integer| integer.cmp0().is_lt()) {
-        gcd = -gcd;
+        integers.iter_mut().for_each(NegAssign::neg_assign);
     }
-    if gcd.is_zero() {
-        return integers;
+    integers
+}
+
+/// Each by the greatest common divisor of all.
+pub fn divide_by_content(integers: &mut [Integer]) {
+    let content = content(integers);
+    if content > 1 {
+        for integer in integers {
+            integer.div_exact_mut(&content);
+        }
     }
-    let divided = integers.into_iter().map(|mut integer| {
-        integer.div_exact_mut(&gcd);
-        integer
-    });
-    divided.collect()
+}
+
+/// The greatest common divisor; 0 of zeros.
+fn content(integers: &[Integer]) -> Integer {
+    let Some(first) = integers.iter().find(|integer| !integer.is_zero()) else {
+        return Integer::new();
+    };
+    // That of one of them and a mixture of all is a multiple of it, and as a rule it.
+    let mut mixture = Integer::new();
+    for (factor, integer) in (1u32..).step_by(2).zip(integers) {
+        mixture += integer * factor;
+    }
+    let mixed = mixture.gcd(first);
+    if integers.iter().all(|integer| integer.is_divisible(&mixed)) {
+        return mixed;
+    }
+    (integers.iter()).fold(mixed, |gcd, integer| gcd.gcd(integer))
 }
 
 impl fmt::Display for Exact {
@@ -197,6 +217,34 @@ impl fmt::Display for Exact {
         match &self.0 {
             Some(q) => q.fmt(f),
             None => f.write_str("no value"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contents_are_divided_out() {
+        let lists = [
+            vec![0, 0],
+            vec![0, -6, 9],
+            vec![12, 18, -30],
+            // 1·3 + 3·1 is a multiple of 3, and 1 is none.
+            vec![3, 1],
+            vec![7],
+        ];
+        let primitive = [
+            vec![0, 0],
+            vec![0, 2, -3],
+            vec![2, 3, -5],
+            vec![3, 1],
+            vec![1],
+        ];
+        for (list, primitive) in lists.into_iter().zip(primitive) {
+            let list: Vec<Integer> = list.into_iter().map(Integer::from).collect();
+            assert_eq!(primitive_integers(list.clone()), primitive, "{list:?}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use rug::{Assign, Integer};
 
+use crate::number::exact::divide_by_content;
 use crate::number::linear::{Eliminated, integer_elimination};
 use crate::number::{Exact, Number, count};
 use crate::plane::displacement::Displacement;
@@ -66,6 +67,7 @@ fn difference(Scaled { mut row, times }: Scaled, base: &Scaled) -> Row {
         *entry *= &own;
         *entry -= base * &other;
     }
+    divide_by_content(&mut row);
     row
 }
 
@@ -100,14 +102,16 @@ impl Forms {
         if pivots != [0, 1, 2, 3] {
             return None;
         }
-        let form = |row: Vec<Integer>| -> Option<[Integer; 3]> {
-            let [.., h, x, y] = <[Integer; 7]>::try_from(row).ok()?;
-            Some([-h, -x, -y])
-        };
-        let forms = rows.into_iter().map(form).collect::<Option<Vec<_>>>()?;
+        let coefficients = rows.into_iter().flat_map(|row| row.into_iter().skip(4));
+        let mut numbers: Vec<Integer> = coefficients.map(|c| -c).chain([determinant]).collect();
+        // Most of the determinant, for rotations are by a sum of two squares each.
+        divide_by_content(&mut numbers);
+        let determinant = numbers.pop()?;
+        let mut numbers = numbers.into_iter();
+        let mut form = || Some([numbers.next()?, numbers.next()?, numbers.next()?]);
         Some(Forms {
             determinant,
-            forms: forms.try_into().ok()?,
+            forms: [form()?, form()?, form()?, form()?],
         })
     }
 
