@@ -576,7 +576,11 @@ fn transmission_angles() {
         };
         let driver = if choice % 2 == 0 { "given" } else { "sought" };
         // The square of the cosine of 30° is rational, of 10° not.
-        let degrees = if [1, 4].contains(&choice) { 30 } else { degrees };
+        let degrees = if [1, 4].contains(&choice) {
+            30
+        } else {
+            degrees
+        };
         let mut wishes = json!({
             "beside": given, "driver": driver,
             "least_transmission_angle": {"degrees": degrees.to_string()},

@@ -233,6 +233,25 @@ mod tests {
     }
 
     #[test]
+    fn whatever_number_of_pairs_is_real() {
+        let mut met = [false; 5];
+        for n in 1..60i64 {
+            let place = |k: i64| {
+                [
+                    (n * k * 7 + k * k) % 11 - 5,
+                    (n * n + 3 * k) % 7 - 3,
+                    (n + 5 * k) % 23,
+                ]
+            };
+            if let Some(found) = pairs(&five([0, 1, 2, 3, 4].map(place)), 80) {
+                assert_eq!(found.real.len() + 2 * found.complex.len(), 4);
+                met[found.real.len()] = true;
+            }
+        }
+        assert_eq!(met, [true, false, true, false, true]);
+    }
+
+    #[test]
     fn a_family_is_not_four_pairs() {
         let turns = five([[1, 2, 0], [1, 2, 3], [1, 2, 5], [1, 2, 7], [1, 2, 9]]);
         assert!(pairs(&turns, 100).is_none());
