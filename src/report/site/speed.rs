@@ -54,7 +54,7 @@ fn drawn(series: Series) -> Growth {
     let curves = series.measured.into_iter();
     let curves = curves.map(|(name, curve)| match curve.as_str() {
         Some(reason) => (reason.to_owned(), Vec::new()),
-        None => (name, points(&curve["points"])),
+        None => (name, points(curve.get("points"))),
     });
     let mut curves: Vec<_> = curves.collect();
     curves.sort_by_key(|(name, _)| name != "ours");
@@ -66,8 +66,8 @@ fn drawn(series: Series) -> Growth {
     }
 }
 
-fn points(list: &Value) -> Vec<[f64; 2]> {
-    let points = list.as_array().into_iter().flatten();
+fn points(list: Option<&Value>) -> Vec<[f64; 2]> {
+    let points = list.and_then(Value::as_array).into_iter().flatten();
     let points = points.map(|point| Some([point.get(0)?.as_f64()?, point.get(1)?.as_f64()?]));
     points.flatten().collect()
 }
