@@ -63,6 +63,9 @@ impl Axis {
     }
 }
 
+/// From a name to the next one below.
+const LINE: f64 = 16.0;
+
 /// The whole picture.
 pub fn svg(growth: &Growth) -> String {
     let points = || growth.curves.iter().flat_map(|(_, points)| points);
@@ -102,10 +105,17 @@ pub fn svg(growth: &Growth) -> String {
     }
     let below = [LEFT + WIDTH / 2.0, TOP + HEIGHT + 46.0];
     text(below, "middle", INK, &growth.across);
-    for ((name, points), colour) in growth.curves.iter().zip(COLOURS) {
-        if let Some([n, seconds]) = points.last() {
-            text([x(*n) + 10.0, y(*seconds) + 5.0], "start", colour, name);
-        }
+    let ends = growth.curves.iter().zip(COLOURS);
+    let ends = ends.filter_map(|((name, points), colour)| {
+        let [n, seconds] = points.last()?;
+        Some(([x(*n) + 10.0, y(*seconds) + 5.0], name, colour))
+    });
+    let mut ends: Vec<_> = ends.collect();
+    ends.sort_by(|([_, a], ..), ([_, b], ..)| a.total_cmp(b));
+    let mut above = f64::NEG_INFINITY;
+    for ([right, height], name, colour) in ends {
+        above = height.max(above + LINE);
+        text([right, above], "start", colour, name);
     }
     let mut path = |points: &[Point], look: &str| {
         let mut command = 'M';
@@ -198,6 +208,28 @@ mod tests {
         assert_eq!(duration(1.0), "10 s");
         assert_eq!(duration(-9.0), "1 ns");
         assert_eq!([0.0, 3.0, 5.0].map(power_of_ten), ["1", "1000", "10⁵"]);
+    }
+
+    #[test]
+    fn names_of_curves_that_meet_do_not() {
+        let both = Growth {
+            title: "time".to_owned(),
+            across: "digits".to_owned(),
+            curves: ["ours", "kernel"]
+                .map(|name| (name.to_owned(), vec![[10.0, 1.0], [100.0, 2.0]]))
+                .into(),
+            exponent: 1.0,
+        };
+        let drawn = svg(&both);
+        let height = |name: &str| {
+            let line = drawn
+                .lines()
+                .find(|line| line.contains(&format!(">{name}<")))
+                .unwrap();
+            let (_, rest) = line.split_once(" y=\"").unwrap();
+            rest.split_once('"').unwrap().0.parse::<f64>().unwrap()
+        };
+        assert_eq!((height("ours") - height("kernel")).abs(), LINE);
     }
 
     #[test]
