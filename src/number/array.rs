@@ -28,6 +28,12 @@ pub(crate) fn neighbours<T>(list: &[T]) -> impl Iterator<Item = (&T, &T)> {
     list.iter().zip(list.iter().skip(1))
 }
 
+/// Whether something holds for each two of a list.
+pub(crate) fn every_two<T>(list: &[T], holds: impl Fn(&T, &T) -> bool) -> bool {
+    let mut places = list.iter().enumerate();
+    places.all(|(place, a)| list.iter().skip(place + 1).all(|b| holds(a, b)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -38,5 +44,6 @@ mod tests {
         assert_eq!(sides(&[1, 2, 3]), [(&1, &2), (&2, &3), (&3, &1)]);
         assert!(neighbours(&[1, 2, 3]).eq([(&1, &2), (&2, &3)]));
         assert_eq!(neighbours::<i32>(&[]).count(), 0);
+        assert!(every_two(&[1, 2, 3], |a, b| a != b) && !every_two(&[1, 2, 1], |a, b| a != b));
     }
 }

@@ -2,7 +2,7 @@
 
 use rug::{Assign, Integer};
 
-use super::count;
+use super::{Complex, Number, count};
 
 /// re + i·im with whole parts. A place that has had a number of some size takes another one without
 /// allocation; what multiplies by zero costs next to nothing, so that real ones are as quick as integers.
@@ -125,17 +125,10 @@ impl Gaussian {
         self.subtract_product(c, d);
     }
 
-    /// With no more than so many bits, and times what power of two it stands for the same, about.
-    pub fn shorten(&mut self, bits: u32) -> i32 {
-        let longer = self.significant_bits().saturating_sub(bits);
-        let longer = i32::try_from(longer).unwrap_or(0);
-        self.shift(-longer);
-        longer
-    }
-
     /// Times 2^power in machine floats, to a unit in the last place: 0 below their range and infinite beyond.
-    pub fn to_floats(&self, power: i64) -> [f64; 2] {
-        [&self.re, &self.im].map(|part| scaled(part, power))
+    pub fn to_floats(&self, power: i64) -> Number<Complex<f64>> {
+        let [re, im] = [&self.re, &self.im].map(|part| Number(scaled(part, power)));
+        Number::complex(re, im)
     }
 
     /// By an integer other than 0, each part to less than one unit.
@@ -344,11 +337,13 @@ mod tests {
             re: Integer::from(-3) << 2000,
             im: Integer::from(5),
         };
-        assert_eq!(z.to_floats(-2000)[0], -3.0);
-        assert_eq!(z.to_floats(1), [f64::NEG_INFINITY, 10.0]);
-        assert_eq!(z.to_floats(-1200)[1], 0.0);
-        let mut short = z.clone();
-        assert_eq!((short.shorten(10), short.re), (1992, Integer::from(-768)));
+        let parts = |power| {
+            let floats = z.to_floats(power);
+            [floats.re().0, floats.im().0]
+        };
+        assert_eq!(parts(-2000)[0], -3.0);
+        assert_eq!(parts(1), [f64::NEG_INFINITY, 10.0]);
+        assert_eq!(parts(-1200)[1], 0.0);
     }
 
     #[test]

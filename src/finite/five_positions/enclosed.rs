@@ -1,11 +1,10 @@
-//! The Burmester pairs of positions that are known by enclosures only.
+//! The Burmester pairs where the conditions are known by enclosures only.
 
 use super::chart::{Chart, Meets};
-use super::conditions::{Coordinates, rows};
+use super::conditions::Coordinates;
 use crate::number::linear::kernel_in_order;
 use crate::number::univariate::enclose;
 use crate::number::{Ball, Complex, Number};
-use crate::plane::displacement::Displacement;
 
 /// How many charts are tried.
 const CHARTS: i64 = 8;
@@ -18,22 +17,13 @@ pub struct Enclosed {
     pub complex: Vec<[Number<Complex<Ball>>; 7]>,
 }
 
-/// The pairs of whatever positions lie in the enclosures; `None` where these are too wide to tell
-/// four different pairs apart.
-pub fn pairs(positions: &[Displacement<Ball>; 5], bits: u32) -> Option<Enclosed> {
-    solved_of(rows(positions), bits)
-}
-
-/// The pairs that fulfil four conditions, each a row of coefficients in enclosures.
-pub fn pairs_of(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Enclosed> {
-    solved_of(conditions.to_vec(), bits)
-}
-
 /// Solved for the center and the products, so that most of a basis is zeros and ones.
 const ORDER: [usize; 7] = [6, 5, 4, 3, 2, 1, 0];
 
-fn solved_of(conditions: Vec<Vec<Number<Ball>>>, bits: u32) -> Option<Enclosed> {
-    let basis = kernel_in_order(conditions, &ORDER)?;
+/// The pairs that fulfil four conditions, each a row of coefficients in enclosures; `None` where these are
+/// too wide to tell four different pairs apart.
+pub fn pairs_of(conditions: &[Vec<Number<Ball>>], bits: u32) -> Option<Enclosed> {
+    let basis = kernel_in_order(conditions.to_vec(), &ORDER)?;
     let basis: [Coordinates<Ball>; 3] = basis
         .into_iter()
         .map(|vector| vector.try_into().ok())
@@ -47,7 +37,7 @@ fn solved_of(conditions: Vec<Vec<Number<Ball>>>, bits: u32) -> Option<Enclosed> 
 }
 
 /// The pairs of a chart; `None` where it cannot tell four different ones apart.
-pub fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
+fn solved(meets: &Meets<Ball>, bits: u32) -> Option<Enclosed> {
     let Meets {
         resultant,
         second,

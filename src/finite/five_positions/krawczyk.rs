@@ -122,7 +122,7 @@ fn test<K: Box>(
     // Room around the enclosure, so that its image can lie inside.
     let wide = each(unknowns, |x| Some(Number(x.0.widened(precision)?)))?;
     let middle = each(&wide, |x| Some(Number(x.0.middle(precision)?)))?;
-    let inverse = approximate_inverse(&conditions.derivative(&middle), precision)?;
+    let inverse = approximate_inverse(conditions.derivative(&middle), precision)?;
     let value = apply(&inverse, &conditions.values(&middle));
     let slope = conditions.derivative(&wide);
     for i in 0..4 {
@@ -197,23 +197,32 @@ fn apply<K: Kind>(matrix: &Matrix<K>, vector: &Vector<K>) -> Vector<K> {
     })
 }
 
-/// The midpoints of an inverse by Gauss and Jordan; need not be exact.
+/// The midpoints of an inverse; need not be exact.
+fn approximate_inverse<K: Box>(matrix: Matrix<K>, precision: &K::Precision) -> Option<Matrix<K>> {
+    let inverse = inverse(matrix, |x| x.0.size())?;
+    let [a, b, c, d] = inverse.map(|row| each(&row, |x| Some(Number(x.0.middle(precision)?))));
+    Some([a?, b?, c?, d?])
+}
+
+/// An inverse by Gauss and Jordan, with pivots that are large by some measure.
 #[expect(
     clippy::indexing_slicing,
     reason = "four rows of a matrix and of the identity beside it"
 )]
-fn approximate_inverse<K: Box>(matrix: &Matrix<K>, precision: &K::Precision) -> Option<Matrix<K>> {
-    let mut left = matrix.clone();
+pub(super) fn inverse<K: Kind>(
+    mut left: Matrix<K>,
+    size: impl Fn(&Number<K>) -> f64,
+) -> Option<Matrix<K>> {
     let mut right: Matrix<K> =
         std::array::from_fn(|i| std::array::from_fn(|k| i64::from(i == k).into()));
     for column in 0..4 {
-        let size = |row: &usize| left[*row][column].0.size();
+        let size = |row: &usize| size(&left[*row][column]);
         let best = (column..4).max_by(|a, b| size(a).total_cmp(&size(b)))?;
         left.swap(column, best);
         right.swap(column, best);
         let inverse = left[column][column].inverse();
         for half in [&mut left, &mut right] {
-            half[column] = half[column].each_ref().map(|entry| entry * &inverse);
+            half[column].iter_mut().for_each(|entry| *entry *= &inverse);
         }
         for row in (0..4).filter(|row| *row != column) {
             let factor = left[row][column].clone();
@@ -225,6 +234,5 @@ fn approximate_inverse<K: Box>(matrix: &Matrix<K>, precision: &K::Precision) -> 
             }
         }
     }
-    let [a, b, c, d] = right.map(|row| each(&row, |x| Some(Number(x.0.middle(precision)?))));
-    Some([a?, b?, c?, d?])
+    Some(right)
 }

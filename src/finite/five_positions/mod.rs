@@ -8,7 +8,7 @@
 //!   conics; their four meets, with an eliminant in which no point is lost,
 //! - [`circlepoint_curves`]: the meets of two circlepoint curves,
 //! - [`loop_closure`]: a link whose turns close the loops,
-//! - [`enclosed`]: the conics where the positions are enclosures,
+//! - [`enclosed`]: the conics where the conditions are known by enclosures only,
 //! - [`certified`]: the pairs of rational positions to so many bits, the quickest way, which begins with
 //!   machine floats and ends with a proof in them,
 //! - [`floats`]: the conics in machine floats,

@@ -4,7 +4,7 @@ use super::Polynomial;
 use super::floats::proposed;
 use super::polish::Approximate;
 use super::proof::{FEW_BITS, half, root_near};
-use crate::number::{Ball, Complex, Kind, Number};
+use crate::number::{Ball, Complex, Kind, Number, array};
 
 /// Bits that proposals in floats are trusted with before anything is proven.
 const KNOWN_BITS: u32 = 40;
@@ -65,8 +65,5 @@ impl EnclosedRoots {
 }
 
 fn all_differ<K: Kind>(roots: &[Number<K>]) -> bool {
-    roots.iter().enumerate().all(|(place, root)| {
-        let mut others = roots.iter().skip(place + 1);
-        others.all(|other| root.equals(other).is_no())
-    })
+    array::every_two(roots, |root, other| root.equals(other).is_no())
 }

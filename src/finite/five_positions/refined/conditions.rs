@@ -10,7 +10,8 @@ use crate::plane::displacement::Displacement;
 /// Coefficients of X, Y, p, q, h, x, y.
 pub type Row = [Integer; 7];
 
-/// The rows of [`rows`](super::super::conditions::rows), each times some integer.
+/// The rows of [`rows`](super::super::conditions::rows), each times some number, by integers alone: in
+/// rationals they take as long as all the rest.
 pub fn rows(positions: &[Displacement<Exact>; 5]) -> Option<[Row; 4]> {
     let [first, rest @ ..] = positions;
     let base = row(first)?;
@@ -124,5 +125,44 @@ impl Forms {
             forms: self.forms.each_ref().map(|form| form.each_ref().map(short)),
         };
         (longer > 0).then_some((forms, longer))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::conditions;
+    use super::*;
+    use crate::plane::Angle;
+    use proptest::prelude::*;
+
+    fn number() -> impl Strategy<Value = Number<Exact>> {
+        (-30_i64..30, 1_i64..20).prop_map(|(p, q)| Number::ratio(p, q))
+    }
+
+    fn position() -> impl Strategy<Value = Displacement<Exact>> {
+        (number(), number(), number()).prop_map(|(half, x, y)| Displacement {
+            rotation: Angle::from_tan_half(&half).cis(),
+            translation: Number::complex(x, y),
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn rows_are_those_of_the_conditions(positions in prop::array::uniform5(position())) {
+            let own = rows(&positions).unwrap();
+            for (own, row) in own.iter().zip(conditions::rows(&positions)) {
+                let own = own.each_ref().map(|x| Number::<Exact>::from(rug::Rational::from(x)));
+                let [cx, cy, p, q, h, x, y] = own;
+                let own = [h, x, y, cx, cy, p, q];
+                for (i, a) in own.iter().enumerate() {
+                    for (j, b) in own.iter().enumerate() {
+                        prop_assert!((a * &row[j] - b * &row[i]).is_zero().is_yes());
+                    }
+                }
+                let same_zeros = own.iter().all(|x| x.is_zero().is_yes())
+                    == row.iter().all(|x| x.is_zero().is_yes());
+                prop_assert!(same_zeros);
+            }
+        }
     }
 }

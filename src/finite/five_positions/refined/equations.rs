@@ -29,7 +29,8 @@ impl Equations {
         let [x, y] = &mut self.solution;
         x.set_minor([first, d], [second, b]);
         y.set_minor([a, second], [c, first]);
-        let up = up - self.determinant.shorten(bits) + shorten(&mut self.solution, bits)?;
+        let off_determinant = shorten(std::slice::from_mut(&mut self.determinant), bits)?;
+        let up = up - off_determinant + shorten(&mut self.solution, bits)?;
         Gaussian::divide(&mut self.solution, &self.determinant, up, bits);
         Some(())
     }
@@ -90,6 +91,14 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn only_last_bits_are_left_out() {
+        let mut list = [long(-3, 5, 2000), long(1, 0, 0)];
+        assert_eq!(shorten(&mut list, 10), Some(1993));
+        assert_eq!(list.each_ref().map(Gaussian::significant_bits), [10, 0]);
+        assert_eq!(shorten(&mut list, 10), Some(0));
     }
 
     #[test]

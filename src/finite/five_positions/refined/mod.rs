@@ -20,7 +20,7 @@ use super::conditions::Coordinates;
 use super::conics::{Pair, Place};
 use super::floats;
 use crate::number::gaussian::Gaussian;
-use crate::number::{Ball, Complex, Exact, Kind, Number};
+use crate::number::{Ball, Complex, Exact, Kind, Number, array};
 use crate::plane::displacement::Displacement;
 
 /// Bits of the forms beyond those of the pairs.
@@ -162,8 +162,8 @@ fn are_apart(found: &Certified) -> bool {
     let never_real = complex().all(|pair| pair.iter().any(|z| z.im().is_zero().is_no()));
     let conjugate = |pair: &Coordinates<Complex<Ball>>| pair.each_ref().map(|z| z.conj());
     never_real
-        && every_two(&found.real, |a, b| differ(&a.coordinates, &b.coordinates))
-        && every_two(&found.complex, |a, b| {
+        && array::every_two(&found.real, |a, b| differ(&a.coordinates, &b.coordinates))
+        && array::every_two(&found.complex, |a, b| {
             let [a, b] = [a, b].map(|pair| &pair.coordinates);
             differ(a, b) && differ(a, &conjugate(b))
         })
@@ -173,15 +173,9 @@ fn differ<K: Kind>(a: &Coordinates<K>, b: &Coordinates<K>) -> bool {
     a.iter().zip(b).any(|(a, b)| a.equals(b).is_no())
 }
 
-fn every_two<T>(list: &[T], holds: impl Fn(&T, &T) -> bool) -> bool {
-    let mut places = list.iter().enumerate();
-    places.all(|(place, a)| list.iter().skip(place + 1).all(|b| holds(a, b)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::array;
     use crate::plane::Angle;
 
     fn five(numbers: [[i64; 3]; 5]) -> [Displacement<Exact>; 5] {

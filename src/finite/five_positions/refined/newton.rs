@@ -56,8 +56,8 @@ impl Newton {
             levels.insert(0, Level { forms, dropped: 0 });
         }
         levels.reverse();
-        let room = |bits| move || Gaussian::with_room(bits);
-        let (whole, product) = (room(2 * bits), room(3 * bits));
+        let whole = || Gaussian::with_room(2 * bits);
+        let product = || Gaussian::with_room(3 * bits);
         Newton {
             length,
             floats,
@@ -88,22 +88,21 @@ impl Newton {
     pub fn short_step(&mut self, point: &mut [Gaussian; 2], places: u32, finer: u32) -> Option<()> {
         let lost = self.set_excess(point, places, places.checked_add(finer)?)?;
         let unit = i64::from(lost) - i64::from(self.length) - 2 * i64::from(places);
-        let [first, second] = self.equations.right.each_ref().map(|z| floats(z, unit));
-        let [x, y] = point.each_ref().map(|z| floats(z, -i64::from(places)));
+        let [first, second] = self.equations.right.each_ref().map(|z| z.to_floats(unit));
+        let [x, y] = point.each_ref().map(|z| z.to_floats(-i64::from(places)));
         let [of_u, of_v, [_, px, py], [_, qx, qy]] = &self.floats;
         let [u, v] = [of_u, of_v].map(|[constant, by_x, by_y]| {
             Floats::from(constant.clone()) + x.scaled(by_x) + y.scaled(by_y)
         });
         let ([_, ux, uy], [_, vx, vy]) = (of_u, of_v);
-        let by = |own: &Number<f64>, of_u: &Number<f64>, of_v: &Number<f64>| {
-            let own = Floats::from(own.clone());
+        let by = |[of_p, of_q, of_u, of_v]: [&Number<f64>; 4]| {
+            let [of_p, of_q] = [of_p, of_q].map(|own| Floats::from(own.clone()));
             [
-                &own - x.scaled(of_u) - y.scaled(of_v),
-                own - y.scaled(of_u) + x.scaled(of_v),
+                of_p - x.scaled(of_u) - y.scaled(of_v),
+                of_q - y.scaled(of_u) + x.scaled(of_v),
             ]
         };
-        let ([a, _], [b, _]) = (by(px, ux, vx), by(py, uy, vy));
-        let ([_, c], [_, d]) = (by(qx, ux, vx), by(qy, uy, vy));
+        let ([a, c], [b, d]) = (by([px, qx, ux, vx]), by([py, qy, uy, vy]));
         let (a, b, c, d) = (a - &u, b - &v, c + v, d - u);
         let inverse = (&a * &d - &b * &c).inverse();
         let moved = [
@@ -170,21 +169,21 @@ impl Newton {
         v_short.set_shifted(v, -down - lacking);
         let [[_, ux, uy], [_, vx, vy], [_, px, py], [_, qx, qy]] = &level.forms.forms;
         let [[p_by_x, p_by_y], [q_by_x, q_by_y]] = &mut self.equations.left;
-        p_by_x.set_integer(px, left);
-        p_by_x.subtract_multiple(ux, x_short);
-        p_by_x.subtract_multiple(vx, y_short);
+        let columns = [
+            ([&mut *p_by_x, &mut *q_by_x], [px, qx, ux, vx]),
+            ([&mut *p_by_y, &mut *q_by_y], [py, qy, uy, vy]),
+        ];
+        for ([p, q], [of_p, of_q, of_u, of_v]) in columns {
+            p.set_integer(of_p, left);
+            p.subtract_multiple(of_u, x_short);
+            p.subtract_multiple(of_v, y_short);
+            q.set_integer(of_q, left);
+            q.subtract_multiple(of_u, y_short);
+            q.add_multiple(of_v, x_short);
+        }
         p_by_x.subtract(u_short);
-        p_by_y.set_integer(py, left);
-        p_by_y.subtract_multiple(uy, x_short);
-        p_by_y.subtract_multiple(vy, y_short);
         p_by_y.subtract(v_short);
-        q_by_x.set_integer(qx, left);
-        q_by_x.subtract_multiple(ux, y_short);
-        q_by_x.add_multiple(vx, x_short);
         q_by_x.add(v_short);
-        q_by_y.set_integer(qy, left);
-        q_by_y.subtract_multiple(uy, y_short);
-        q_by_y.add_multiple(vy, x_short);
         q_by_y.subtract(u_short);
         Some(-down - lacking)
     }
@@ -206,9 +205,4 @@ fn set_value(
     value.set_integer(constant, places);
     value.add_multiple(by_x, x);
     value.add_multiple(by_y, y);
-}
-
-fn floats(z: &Gaussian, power: i64) -> Floats {
-    let [re, im] = z.to_floats(power).map(Number);
-    Number::complex(re, im)
 }

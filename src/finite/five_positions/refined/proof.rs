@@ -7,6 +7,7 @@
 
 use rug::{Assign, Integer};
 
+use super::super::krawczyk;
 use super::conditions::Row;
 use crate::number::gaussian::{Gaussian, products, scaled};
 use crate::number::{Complex, Number, array, count};
@@ -28,7 +29,7 @@ pub struct Reached {
 }
 
 type Floats = Number<Complex<f64>>;
-type Matrix = [[Floats; 4]; 4];
+type Matrix = krawczyk::Matrix<Complex<f64>>;
 
 /// The conditions, exactly and in machine floats.
 pub struct Judge<'a> {
@@ -63,7 +64,9 @@ impl<'a> Judge<'a> {
     /// alone there and simple, and real where these are. `None` where that is not proven.
     pub fn proven(&mut self, at: [Gaussian; 4], places: u32) -> Option<[Reached; 6]> {
         let reach = self.reach(&at, places)?;
-        let sizes = at.each_ref().map(|z| size(&complex(z, -i64::from(places))));
+        let sizes = at
+            .each_ref()
+            .map(|z| size(&z.to_floats(-i64::from(places))));
         let sum: f64 = sizes.iter().sum();
         // Products of short lengths are shorter still: in smaller units.
         let finer = power_above(sum.recip().clamp(1.0, MOST));
@@ -94,14 +97,14 @@ impl<'a> Judge<'a> {
     fn reach(&mut self, at: &[Gaussian; 4], places: u32) -> Option<[f64; 4]> {
         self.set_excess(at, places)?;
         let down = -i64::from(places);
-        let middle = at.each_ref().map(|z| complex(z, down));
+        let middle = at.each_ref().map(|z| z.to_floats(down));
         if !middle.iter().all(|z| size(z) < MOST) {
             return None;
         }
-        let inverse = inverse(self.slopes(&middle))?;
+        let inverse = krawczyk::inverse(self.slopes(&middle), size)?;
         let sizes = inverse.each_ref().map(|row| row.each_ref().map(size));
         let excess =
-            array::pairs(&self.excess, &self.powers).map(|(z, power)| complex(z, down + power));
+            array::pairs(&self.excess, &self.powers).map(|(z, power)| z.to_floats(down + power));
         let errors = excess.each_ref().map(|z| ROUNDING * size(z) + TINY);
         let steps = array::pairs(&inverse, &sizes).map(|(row, sizes)| {
             let step: Floats = row.iter().zip(&excess).map(|(c, z)| c * z).sum();
@@ -204,11 +207,6 @@ const TINY: f64 = 1e-200;
 /// Larger pairs are left to exact arithmetic.
 const MOST: f64 = 1e60;
 
-fn complex(z: &Gaussian, power: i64) -> Floats {
-    let [re, im] = z.to_floats(power).map(Number);
-    Number::complex(re, im)
-}
-
 /// |Re z| + |Im z|, no less than |z|.
 fn size(z: &Floats) -> f64 {
     z.re().0.abs() + z.im().0.abs()
@@ -228,34 +226,4 @@ fn power_above(w: f64) -> i64 {
     let powers = std::iter::successors(Some(1.0), |power| Some(2.0 * power));
     let below = powers.take_while(|power| *power < w);
     count::to_i64(below.count())
-}
-
-/// By Gauss and Jordan, near it only.
-#[expect(
-    clippy::indexing_slicing,
-    reason = "four rows of a matrix and of the identity beside it"
-)]
-fn inverse(mut left: Matrix) -> Option<Matrix> {
-    let mut right: Matrix =
-        std::array::from_fn(|i| std::array::from_fn(|k| i64::from(i == k).into()));
-    for column in 0..4 {
-        let best = (column..4)
-            .max_by(|a, b| size(&left[*a][column]).total_cmp(&size(&left[*b][column])))?;
-        left.swap(column, best);
-        right.swap(column, best);
-        let inverse = left[column][column].inverse();
-        for half in [&mut left, &mut right] {
-            half[column].iter_mut().for_each(|entry| *entry *= &inverse);
-        }
-        for row in (0..4).filter(|row| *row != column) {
-            let factor = left[row][column].clone();
-            for half in [&mut left, &mut right] {
-                let pivot = half[column].clone();
-                for (entry, term) in half[row].iter_mut().zip(&pivot) {
-                    *entry -= &factor * term;
-                }
-            }
-        }
-    }
-    Some(right)
 }
